@@ -187,6 +187,8 @@ std::vector<PaperRow> rowsOf(const RunResult& result, const statements::Referenc
   };
   addOther(signals::filteredNameOnRight(signals::names::axleBox), "right axle box, maximum / minimum");
   addOther(signals::names::secondAxleBoxFiltered, "axle box of the second wheelset, maximum / minimum");
+  addOther(signals::filteredNameOnRight(signals::names::secondAxleBox),
+           "right axle box of the second wheelset, maximum / minimum");
   addPeak(rows, result, signals::names::wheelFiltered, "wheel centre acceleration, maximum / minimum");
   addAnchor(rows, result);
   addLines(rows, result);

@@ -15,13 +15,7 @@ namespace squat::analysis {
 namespace {
 
 // Names as featureTable gives them, without their units, up to the name of a band. First match counts.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kMeanings{{
-    {"right peak", "largest absolute value of aba_right_filtered"},
-    {"right maximum", "largest value of aba_right_filtered"},
-    {"right minimum", "smallest value of aba_right_filtered"},
-    {"right rms", "root mean square of aba_right_filtered, whole record"},
-    {"right smallest contact force", "smallest vertical force on the right rail"},
-    {"right largest contact force", "largest vertical force on the right rail"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kMeanings{{
     {"speed", "of the wheel where it passes the anchor"},
     {"impact time", "of the anchor, since the start of the record"},
     {"peak to peak", "largest less smallest value of aba_filtered"},
@@ -57,15 +51,24 @@ std::string peakMeaning(std::string_view rest) {
   return {};
 }
 
-// "right peak [m/s2]": what "peak" means, of another axle box than the first.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kOthers{{
-    {"right ", ", of the right side"},
-    {"second ", ", of the second wheelset"},
+// Of another axle box than the first: "right peak [m/s2]".
+struct OtherBox {
+  std::string_view whose, signal, wheel;
+};
+constexpr std::array<OtherBox, 3> kOthers{{
+    {"right second ", "second_aba_right_filtered", ", of the right wheel of the second wheelset"},
+    {"right ", "aba_right_filtered", ", of the right wheel"},
+    {"second ", "second_aba_filtered", ", of the wheel of the second wheelset"},
 }};
 
 std::string meaningOf(const std::string& column) {
-  for (const auto& [whose, words] : kOthers)
-    if (column.starts_with(whose)) return meaningOf(column.substr(whose.size())) + std::string(words);
+  constexpr std::string_view first = "aba_filtered";
+  for (const auto& [whose, signal, wheel] : kOthers) {
+    if (!column.starts_with(whose)) continue;
+    auto text = meaningOf(column.substr(whose.size()));
+    const auto at = text.find(first);
+    return at == std::string::npos ? text + std::string(wheel) : text.replace(at, first.size(), signal);
+  }
   constexpr std::string_view peak = "peak ";
   const std::string_view name = column;
   if (name.starts_with(peak) && name.size() > peak.size() + 2 && name[peak.size()] >= '1' && name[peak.size()] <= '9')

@@ -103,6 +103,13 @@ class IrregularityChecks {
     else if (first > from || last < to)
       add(Severity::warning, keys, "such that the heights cover " + rolled,
           "They cover " + there + "; beyond, the rail is smooth");
+    if (case_.bogie.hasSecond()) {
+      const double behind = case_.bogie.offset() + from, ahead = case_.bogie.offset() + to;
+      if (first > behind || last < ahead)
+        add(Severity::warning, {"bogie.wheelbase", "rail.irregularity_points", "rail.irregularity_file"},
+            "such that the heights cover " + rounded(behind) + " to " + rounded(ahead) + " m",
+            "They cover " + there + "; beyond, the second wheelset rolls on a smooth rail");
+    }
     const double steepest = irregularityOf(case_).steepest();
     constexpr double steepestPossible = 0.5;
     if (steepest > steepestPossible)

@@ -27,11 +27,9 @@ SecondRolling::SecondRolling(std::span<const model::Model* const> sides, double 
     : models_(sides.begin(), sides.end()), step_(step) {
   const auto& model = *models_.front();
   const auto& d = model.scenario;
-  const auto& second = *model.second;
   pitch_ = std::pow(0.5 * d.bogie.wheelbase / d.bogie.pitchRadius, 2);
   const double rate = d.motion.speed / model.surfaces.radius;
-  for (std::size_t k = 0; k < models_.size(); ++k) {
-    const auto& motions = second.kinds.at(k);
+  for (const auto& motions : model::secondMotions(d)) {
     Kind kind{motions.rigidMass, motions.boxLever, {}};
     for (const auto& mode : motions.modes) {
       const double omega = 2 * std::numbers::pi * mode.frequency;
@@ -39,7 +37,7 @@ SecondRolling::SecondRolling(std::span<const model::Model* const> sides, double 
       Mode own;
       own.omega2 = omega * omega, own.damping = isDamped ? 2 * d.wheelset.dampingRatio * omega : 0;
       own.contact = mode.contactAmplitude, own.box = mode.boxAmplitude;
-      own.turn = mode.harmonic * rate;
+      own.turn = (mode.harmonic - mode.stays) * rate;
       own.cosine = std::cos(own.turn * step_), own.sine = std::sin(own.turn * step_);
       kind.modes.push_back(own);
     }
@@ -47,16 +45,17 @@ SecondRolling::SecondRolling(std::span<const model::Model* const> sides, double 
     kinds_.push_back(std::move(kind));
   }
   for (const auto* side : models_) seats_.emplace_back(*side);
-  sides_.resize(models_.size()), views_.resize(models_.size());
+  sides_.resize(models_.size()), views_.resize(models_.size()), boxBefore_.resize(models_.size());
   layHeights();
 }
 
 void SecondRolling::layHeights() {
   const auto& model = *models_.front();
   const auto& motion = model.scenario.motion;
-  constexpr double margin = 0.01;  // [m]
+  constexpr double margin = 0.01, wait = 2e-3;  // [m], [s] the run goes on for what the filters of its signals need
   heightsFrom_ = model.startX + model.second->offset - margin;
-  const auto count = static_cast<int>((motion.runUp + motion.beyond + 2 * margin) / heightSpacing) + 2;
+  const double way = motion.runUp + motion.beyond + 2 * margin + wait * motion.speed;
+  const auto count = static_cast<int>(way / heightSpacing) + 2;
   for (const auto* side : models_) {
     auto& heights = heights_.emplace_back();
     const auto& surface = side->scenario.irregularityUnderSecond;
@@ -178,14 +177,13 @@ void SecondRolling::push(long step, std::span<const double* const> displaced, st
 
 void SecondRolling::advance(std::span<double> sprung) {
   const double g = models_.front()->scenario.motion.gravity;
-  std::vector<double> boxBefore;
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     auto& side = sides_[i];
     const auto& suspension = models_[i]->scenario.suspension;
     const double rate = side.sprungVelocity - boxVelocity(i);
     side.suspension = suspension.stiffness * (side.sprung - box(i)) + suspension.damping * rate;
     damped_ += step_ * suspension.damping * rate * rate;
-    boxBefore.push_back(boxVelocity(i));
+    boxBefore_[i] = boxVelocity(i);
   }
   for (std::size_t k = 0; k < kinds_.size(); ++k) advanceMotion(k);
   for (std::size_t i = 0; i < sides_.size(); ++i) {
@@ -194,7 +192,7 @@ void SecondRolling::advance(std::span<double> sprung) {
     sprung[i] = mean + pitch_ * half;
     side.sprungVelocity += step_ * ((mean - pitch_ * half) / models_[i]->scenario.suspension.sprungMass - g);
     side.sprung += step_ * side.sprungVelocity;
-    views_[i] = {(boxVelocity(i) - boxBefore[i]) / step_, side.force};
+    views_[i] = {(boxVelocity(i) - boxBefore_[i]) / step_, side.force};
   }
 }
 
@@ -211,8 +209,12 @@ void SecondRolling::advanceMotion(std::size_t k) {
     auto& [q, p] = motion.pairs[i];
     const double rate[2] = {p[0] - mode.turn * q[1], p[1] + mode.turn * q[0]};
     const double pushed[2] = {mode.contact * force + mode.box * suspension, 0};
+    // What P carries: the wheel's forces give it F P, of which contact and springs know F dQ/dt. The rest, and what the
+    // dampers take, comes of the turning.
+    const double halves = static_cast<double>(sides_.size());
+    driven_ += halves * step_ * pushed[0] * mode.turn * q[1];
     for (int c = 0; c < 2; ++c) {
-      damped_ += static_cast<double>(sides_.size()) * step_ * mode.damping * rate[c] * rate[c];
+      damped_ += halves * step_ * mode.damping * rate[c] * p[c];
       p[c] += step_ * (pushed[c] - mode.omega2 * q[c] - mode.damping * rate[c]);
       q[c] += step_ * p[c];
     }

@@ -1,11 +1,13 @@
 // solver/dynamics/SecondRolling.h - the bogie's other wheelset in time (model/SecondWheelset.h).
 //
 // Central differences with the step of the rolling: velocities stand half a step behind displacements. A pair of modes
-// of harmonic n is seen from beside the track, Q, with its velocity in the wheelset's material axes, P:
-//   dQ/dt = P + n W J Q,   dP/dt = F - w^2 Q - 2 zeta w dQ/dt + n W J P,
-// W the rate at which the wheelset turns, J a quarter turn; the turning terms are applied as exact rotations. Damping
-// is that of the first wheelset's modes. The sprung masses of both wheelsets are one rigid body that pitches: from its
-// mass and pitch radius follows how much a force above one wheelset accelerates the body above the other.
+// of harmonic n is seen from beside the track, Q, with its velocity P in axes that turn with it:
+//   dQ/dt = P + w J Q,   dP/dt = F - omega^2 Q - 2 zeta omega dQ/dt + w J P,   w = (n - k) W,
+// W the rate at which the wheelset turns, k the share of it that the pair stays behind (HarmonicMode::stays), J a
+// quarter turn; the turning terms are applied as exact rotations. This is the wheelset of the rolling to first order in
+// W / omega. Damping is that of the first wheelset's modes. On each side the sprung masses of both wheelsets are one
+// rigid body that pitches: from its mass and pitch radius follows how much a force above one wheelset accelerates the
+// body above the other.
 #pragma once
 
 #include <span>
@@ -28,7 +30,6 @@ class SecondRolling {
 
   // All that changes while it rolls, for checkpoints.
   std::vector<double> packed() const;
-  std::size_t packedSize() const { return packed().size(); }
   void unpack(std::span<const double> values);
 
   // Steady rolling over the rails' displacements and velocities at the start, in state layout of each side.
@@ -69,7 +70,7 @@ class SecondRolling {
   struct Mode {
     double omega2 = 0, damping = 0;  // [1/s2], [1/s] 2 zeta omega
     double contact = 0, box = 0;     // [1/sqrt(kg)] rise of the wheel where it touches, of the axle box
-    double turn = 0;                 // [rad/s] n W
+    double turn = 0;                 // [rad/s] w
     double cosine = 1, sine = 0;     // of a step's turn
   };
   struct Kind {
@@ -98,6 +99,7 @@ class SecondRolling {
   std::vector<Motion> motions_;
   std::vector<Side> sides_;
   std::vector<SecondView> views_;
+  std::vector<double> boxBefore_;  // [m/s] velocities of the axle boxes
   double damped_ = 0, driven_ = 0;
 };
 

@@ -136,8 +136,8 @@ RollingStretch laidStretch(const scenario::Scenario& d, double railStart, double
   const double h = d.mesh.contactSize, rolling = d.mesh.rollingSize, far = d.mesh.farSize;
   std::vector<geometry::Zone> zones;
   const auto layPathOfSecond = [&] {
-    zones.push_back({start + d.bogie.offset() - secondPathMargin, far});
-    zones.push_back({d.motion.beyond + d.bogie.offset() + secondPathMargin, std::min(far, secondPathSize)});
+    zones.push_back({start + d.bogie.offset() - secondPathMargin, far, whole});
+    zones.push_back({d.motion.beyond + d.bogie.offset() + secondPathMargin, std::min(far, secondPathSize), whole});
   };
   if (d.bogie.offset() < 0) layPathOfSecond();
   zones.push_back({start - std::max(d.mesh.fineStart, patchMargin), far, whole});

@@ -60,7 +60,6 @@ SecondWheelset secondWheelset(const Model& model) {
   const auto& d = model.scenario;
   SecondWheelset second;
   second.offset = d.bogie.offset();
-  second.wheelMass = d.wheelset.totalMass;
   second.spread = 2 * secondPathSize;
   // Of two materials as of one with Young's modulus in between (contact/Hertz.h).
   const auto compliance = [](const auto& m) { return (1 - m.poisson * m.poisson) / m.young; };
@@ -70,9 +69,13 @@ SecondWheelset secondWheelset(const Model& model) {
   const auto contact = contact::hertzContact(model.surfaces.radius, model.surfaces.crownRadius, young, poisson, load);
   second.hertz = load / std::pow(contact.approach, 1.5);
   second.halfLength = contact.halfAxisX;
-  second.kinds.push_back(motionsOf(d, Centre::symmetric));
-  if (d.extent == scenario::ModelExtent::whole) second.kinds.push_back(motionsOf(d, Centre::antisymmetric));
   return second;
+}
+
+std::vector<SecondMotions> secondMotions(const scenario::Scenario& d) {
+  std::vector<SecondMotions> kinds{motionsOf(d, Centre::symmetric)};
+  if (d.extent == scenario::ModelExtent::whole) kinds.push_back(motionsOf(d, Centre::antisymmetric));
+  return kinds;
 }
 
 std::vector<double> secondLoads(std::span<const scenario::Scenario* const> sides) {

@@ -3,8 +3,7 @@
 // Its contact is far from the defect: no mesh of its patch is needed. Each half is what the modes of vibration say
 // (WheelsetModes.h), rigid motion first; its wheels stand on Hertz's springs on the same rails, over which a force is
 // spread along a stretch that the stations of the rail resolve. Only vertical forces act: no creepage, no lateral
-// motion, the tread round. Modes of a body of revolution that turns stand in its material axes, in pairs: seen from
-// beside the track, a pair of harmonic n turns by n times the rotation.
+// motion, the tread round, no damper in the bearing.
 //
 // Of a whole model motions are sums of symmetric and antisymmetric ones, left = s + a, right = s - a (CentrePlane.h).
 #pragma once
@@ -28,16 +27,16 @@ struct SecondMotions {
 };
 
 struct SecondWheelset {
-  double offset = 0;                 // [m] x from the first wheelset
-  double hertz = 0;                  // [N/m^1.5] force = hertz approach^1.5
-  double halfLength = 0;             // [m] of the patch at rest
-  double spread = 0;                 // [m] half of the stretch of rail that a wheel's force is spread over
-  std::vector<SecondMotions> kinds;  // symmetric; antisymmetric as well of a whole model
-  double wheelMass = 0;              // [kg] half the wheelset with its axle box
+  double offset = 0;      // [m] x from the first wheelset
+  double hertz = 0;       // [N/m^1.5] force = hertz approach^1.5
+  double halfLength = 0;  // [m] of the patch at rest
+  double spread = 0;      // [m] half of the stretch of rail that a wheel's force is spread over
 };
 
 // Of the case of a model, whose rail has been meshed.
 SecondWheelset secondWheelset(const Model& model);
+// Symmetric motions; antisymmetric ones behind them where the case has both rails.
+std::vector<SecondMotions> secondMotions(const scenario::Scenario& scenario);
 
 // [m] How far stations along the second wheelset's path may lie apart, and how far the path's fine stretch reaches
 // beyond where its wheels roll.

@@ -147,6 +147,11 @@ WheelsetShapes wheelsetShapes(const scenario::Scenario& d, double highest, int l
       found.box = found.shape[boxAt];
       found.shape.resize(boxAt);
       found.mode = {frequency, harmonic, 0, 0, 0, 0, centre};
+      if (harmonic > 0) {
+        for (int n = 0; n < block.nodes; ++n)
+          found.mode.stays -= 2 * whole * mass[n] * found.shape[3 * n] * found.shape[3 * n + 1];
+        found.mode.stays += w.axleBoxMass * found.box * found.box;
+      }
       if (harmonic == 1) {
         found.mode.boxAmplitude = onSpring ? found.box : ringShare(bearing, found.shape);
         found.mode.wheelAmplitude = ringShare(wheelCentre, found.shape);

@@ -22,6 +22,9 @@ struct HarmonicMode {
   double contactAmplitude = 0;  // at the tread, upwards
   double lateralAmplitude = 0;  // at the tread where it meets the rail, outwards
   Centre centre = Centre::symmetric;
+  // Share of the wheelset's rotation with which a pair of such modes turns in the material, against the rotation
+  // (Bryan 1890): 1 of a translation, whose direction stays in space; 0 of a tilt; 2 n / (n^2 + 1) of a thin ring.
+  double stays = 0;
 };
 
 // Modes up to `highest` [Hz] of harmonics 0 to `lastHarmonic`, ascending; rigid motions are left out.

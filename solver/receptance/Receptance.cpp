@@ -16,7 +16,8 @@ scenario::Scenario receptanceCase(const scenario::Scenario& scenario) {
   auto d = scenario;
   const double spacing = d.track.sleeperSpacing;
   d.defectSurface = {};
-  d.tread = {}, d.irregularity = {};
+  d.tread = {}, d.irregularity = {}, d.irregularityUnderSecond = {};
+  d.bogie = {};
   d.defectModel = scenario::DefectModel::gapFunction;
   d.track.defectFromSleeper = 0;  // x = 0 over a sleeper
   d.motion.runUp = spacing / 2;   // the other fine zone at midspan

@@ -53,9 +53,6 @@ void describeEquilibrium(const model::Model& model, const statics::Equilibrium& 
       {"newton_steps", "1", "", static_cast<double>(e.newtonSteps)},
       {"iterations", "1", "of conjugate gradients", static_cast<double>(e.iterations)},
   };
-  if (model.second)
-    result.equilibrium.push_back({"second_approach", "m", "of the second wheelset's wheels and the rail, Hertz",
-                                  std::pow(weight / model.second->hertz, 2.0 / 3)});
 }
 
 void describeRightEquilibrium(const model::Model& right, const statics::Equilibrium& e, results::RunResult& result) {

@@ -67,7 +67,8 @@ TEST(SampledPoints, lieBetweenTheLimits) {
 TEST(SampledPoints, mayBeOfTheRightSide) {
   const auto ranges = inputRangesFromText({"pad.stiffness=200:2000", "right.pad.stiffness=300:900"}, "--free");
   EXPECT_EQ(sampledVariations({"right.pad.stiffness=300:900"}, "sobol:8", 1).front().key, "right.pad.stiffness");
-  const auto whole = cases::parseCase("[model]\nextent = \"whole\"\n[pad]\nstiffness = 1200\n[right.pad]\nstiffness = 700\n", "a case");
+  const auto whole = cases::parseCase(
+      "[model]\nextent = \"whole\"\n[pad]\nstiffness = 1200\n[right.pad]\nstiffness = 700\n", "a case");
   EXPECT_EQ(ranges[0].valueIn(whole), 1200);
   EXPECT_EQ(ranges[1].valueIn(whole), 700);
   EXPECT_THROW(inputRangesFromText({"right.motion.speed=20:30"}, "--free"), CaseError);

@@ -96,6 +96,7 @@ TEST(SecondWheelset, WavesBetweenTwoWheelsetsInterfereAsOnABeam) {
   const auto d = bogieCase(2.7);
   const auto model = model::buildModel(cases::resolve(d));
   const auto& second = *model.second;
+  const auto motions = model::secondMotions(model.scenario);
   ThreadTeam team(2);
   Monitor quiet;
   const auto start = statics::prepareSteadyRollingStart(model, elasticity::kernelsFor(""), team, quiet);
@@ -116,7 +117,7 @@ TEST(SecondWheelset, WavesBetweenTwoWheelsetsInterfereAsOnABeam) {
     const Complex s(growth, 2 * std::numbers::pi * frequency);
     const auto a = beam.transfers({x1, x2}, s / Complex(0, 1));
     const Complex first = alone ? 0 : laplace(forces.first, forces.step, s);
-    return (-struck / (s * s) - a(0, 1) * first) / (a(1, 1) + give + wheelReceptance(second.kinds.front(), s));
+    return (-struck / (s * s) - a(0, 1) * first) / (a(1, 1) + give + wheelReceptance(motions.front(), s));
   };
   double worst = 0, interference = 0;
   for (double f = 200; f <= 1200; f += 25) {

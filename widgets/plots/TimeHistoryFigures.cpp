@@ -35,6 +35,8 @@ void addAccelerations(Figure& figure, const results::RunResult& result, const st
     addCurve(figure, {x, *right, labelWithExtremes("axle box, right", x, *right, from, to), 2, 0.9});
   if (const auto* second = result.signal(signals::names::secondAxleBoxFiltered))
     addCurve(figure, {x, *second, labelWithExtremes("second wheelset", x, *second, from, to), 3, 0.9});
+  if (const auto* other = result.signal(signals::filteredNameOnRight(signals::names::secondAxleBox)))
+    addCurve(figure, {x, *other, labelWithExtremes("second wheelset, right", x, *other, from, to), 4, 0.9});
   if (!box && !wheel) addNotice(figure, "no acceleration in this result");
   figure.xAxis->setRange(from, to);
   figure.yAxis->setLabel("Vertical acceleration [m/s²]");
