@@ -27,7 +27,7 @@ std::vector<std::size_t> signalsIn(const text::DelimitedTable& table, const Tabl
                                    const SignalFileOptions& options) {
   auto signals = signalsNamed(table, roles, options);
   if (!options.column.empty()) return signals;
-  if (roles.rest.size() == 1) return roles.rest;
+  if (roles.rest.size() == 1) return {roles.rest.front()};
   const std::size_t aba = columnNamed(table, signals::names::axleBox);
   if (std::find(roles.rest.begin(), roles.rest.end(), aba) == roles.rest.end())
     throw FileError(table.path, "",

@@ -74,7 +74,7 @@ std::vector<std::size_t> channelsOf(const text::DelimitedTable& head, const read
                                     std::vector<std::string>& notes) {
   auto channels = readers::signalsNamed(head, roles, options);
   if (!channels.empty()) return channels;
-  if (roles.rest.size() == 1) return roles.rest;
+  if (roles.rest.size() == 1) return {roles.rest.front()};
   if (!everyAcceleration)
     if (const auto aba = readers::columnNamed(head, signals::names::axleBox); aba != readers::noColumn) return {aba};
   const auto isStated = [&](std::size_t c) {

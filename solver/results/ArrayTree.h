@@ -62,11 +62,11 @@ double numberAttribute(const std::vector<Attribute>& attributes, std::string_vie
 
 // The values of an array. Throws FileError(file, path) where it is missing or holds another type.
 template <typename T>
-const std::vector<T>& valuesOf(const ArrayTree& tree, const std::string& path, const std::string& file) {
+const std::vector<T>& valuesOf(const ArrayTree& tree, std::string_view path, const std::string& file) {
   const auto* array = tree.find(path);
-  if (!array) throw FileError(file, path, "is missing");
+  if (!array) throw FileError(file, std::string(path), "is missing");
   const auto* values = std::get_if<std::vector<T>>(&array->values);
-  if (!values) throw FileError(file, path, "has a wrong type");
+  if (!values) throw FileError(file, std::string(path), "has a wrong type");
   return *values;
 }
 

@@ -32,7 +32,9 @@ constexpr const char* kMatlabAdvice = "Save it again, with the option -v7.3 if i
 
 using Handler = std::function<void(const std::string& path, mat_t* file, matvar_t* array)>;
 
-void ignoreMessage(int, char*) {}  // the library prints; what goes wrong becomes a FileError
+// The library prints; what goes wrong becomes a FileError. Newer ones hand a text over that cannot be changed.
+template <typename Character>
+void ignoreMessage(int, Character*) {}
 
 bool isNumeric(const matvar_t& array) {
   return array.class_type >= MAT_C_DOUBLE && array.class_type <= MAT_C_UINT64 && !array.isComplex && array.rank > 0 &&

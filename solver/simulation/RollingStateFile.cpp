@@ -61,19 +61,20 @@ void requireFittingSide(const StoredState& stored, const dynamics::Rolling& roll
 }
 
 dynamics::RollingState loadSide(const results::ArrayTree& tree, const std::string& at) {
+  const std::string file = "checkpoint";
   dynamics::RollingState s;
-  const auto& u = results::valuesOf<double>(tree, at + "/displaced", "checkpoint");
-  const auto& v = results::valuesOf<double>(tree, at + "/velocity", "checkpoint");
+  const auto& u = results::valuesOf<double>(tree, at + "/displaced", file);
+  const auto& v = results::valuesOf<double>(tree, at + "/velocity", file);
   s.displaced.assign(u.begin(), u.end()), s.velocity.assign(v.begin(), v.end());
-  s.friction.traction = results::valuesOf<double>(tree, at + "/traction", "checkpoint");
+  s.friction.traction = results::valuesOf<double>(tree, at + "/traction", file);
   if (tree.find(at + "/plastic")) {
-    const auto& flow = results::valuesOf<double>(tree, at + "/plastic", "checkpoint");
+    const auto& flow = results::valuesOf<double>(tree, at + "/plastic", file);
     s.plastic.values.assign(flow.begin(), flow.end());
   }
   const auto* closed = tree.find(at + "/closed");
   if (const auto* list = closed ? std::get_if<std::vector<std::int64_t>>(&closed->values) : nullptr)
     s.friction.closed.assign(list->begin(), list->end());
-  const auto& scalars = results::valuesOf<double>(tree, at + "/scalars", "checkpoint");
+  const auto& scalars = results::valuesOf<double>(tree, at + "/scalars", file);
   s.step = static_cast<long>(scalars.at(0)), s.time = scalars.at(1), s.rotation = scalars.at(2),
   s.angularVelocity = scalars.at(3);
   s.sums = {scalars.at(4), scalars.at(5), scalars.at(6)};

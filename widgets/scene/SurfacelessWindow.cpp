@@ -5,6 +5,7 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtk_glew.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace squat::scene {
@@ -35,6 +36,13 @@ void SurfacelessWindow::MakeCurrent() {
 }
 
 bool SurfacelessWindow::IsCurrent() { return context_ && context_->isCurrent(); }
+
+// Of the buffers that VTK renders into. Its own answer is that of the window's, and there are none: since version 9.3
+// it warns that it has no answer.
+int SurfacelessWindow::GetColorBufferSizes(int* rgba) {
+  std::fill_n(rgba, 4, 8);
+  return 4 * 8;
+}
 
 void SurfacelessWindow::OpenGLInitContext() {
   if (!Initialized && context_) {

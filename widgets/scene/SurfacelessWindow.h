@@ -22,6 +22,7 @@ class SurfacelessWindow : public vtkGenericOpenGLRenderWindow {
 
   void MakeCurrent() override;
   bool IsCurrent() override;
+  int GetColorBufferSizes(int* rgba) override;
   Picture renderPicture(int width, int height);
 
  protected:
