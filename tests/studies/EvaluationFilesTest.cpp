@@ -62,7 +62,7 @@ TEST_F(EvaluationFiles, bothFormsAreRead) {
   const auto standard = read(kStandard);
   EXPECT_THAT(standard.values,
               ElementsAre(Pair("defect.depth", "1.500000000000000e-01"), Pair("pad.stiffness", "8.000000000000000e+02"),
-                          Pair("right.defect.lateral", "parabolic")));
+                          Pair("defect.lateral", "parabolic")));
   EXPECT_THAT(standard.features, ElementsAre("peak", "largest_contact_force"));
   const auto aprepro = read(kAprepro);
   EXPECT_THAT(aprepro.values,
