@@ -18,15 +18,15 @@ void checkStretches(const CaseDescription& c, std::vector<Finding>& findings) {
   const double room = between + c.mesh.fineStart, least = c.motion.runUp + c.motion.beyond + room;
   if (c.bogie.wheelbase >= least) return;
   const double longest = findParameter("bogie.wheelbase")->maximum;
-  const std::string why = "The wheelsets roll over stretches of their own";
+  const std::string why = "The wheelsets roll over stretches of their own: ";
   if (least <= longest)
     add(findings, c, Severity::problem, {"bogie.wheelbase", "motion.run_up", "motion.beyond", "mesh.fine_start"},
         limitText("bogie.wheelbase", "0 (a single wheelset) or at least", least),
-        why + ": or shorten motion.run_up or motion.beyond");
+        why + "lengthen it, or shorten motion.run_up or motion.beyond");
   else
     add(findings, c, Severity::problem, {"motion.run_up", "motion.beyond", "bogie.wheelbase", "mesh.fine_start"},
         limitText("motion.run_up", "at most", c.bogie.wheelbase - room - c.motion.beyond),
-        why + ": or shorten motion.beyond");
+        why + "shorten it or motion.beyond");
 }
 
 // The defect is felt by the first wheelset alone.
