@@ -25,8 +25,8 @@ void checkStretches(const CaseDescription& c, std::vector<Finding>& findings) {
         why + "lengthen it, or shorten motion.run_up or motion.beyond");
   else
     add(findings, c, Severity::problem, {"motion.run_up", "motion.beyond", "bogie.wheelbase", "mesh.fine_start"},
-        limitText("motion.run_up", "at most", c.bogie.wheelbase - room - c.motion.beyond),
-        why + "shorten it or motion.beyond");
+        limitText("motion.run_up", "at most", longest - room - c.motion.beyond),
+        why + "shorten it or motion.beyond, with bogie.wheelbase up to " + rounded(longest) + " m");
 }
 
 // The defect is felt by the first wheelset alone.

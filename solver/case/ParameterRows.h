@@ -70,7 +70,7 @@ Parameter inputPreset(const char* key, std::string& (*access)(CaseDescription&),
 
 using Rows = std::vector<Parameter>;
 Rows trackRows();    // track, rail, pad, sleeper, ballast
-Rows vehicleRows();  // wheelset, suspension
+Rows vehicleRows();  // wheelset, suspension, bogie
 Rows motionRows();   // motion, contact, damping
 Rows runRows();      // model, mesh, output
 Rows defectRows();   // defect

@@ -215,8 +215,9 @@ void addBogie(Rows& rows) {
   ofSecond(choice(
       "bogie.second_wheelset", {"behind", "ahead"}, SecondPlace::behind,
       +[](Case& c) -> SecondPlace& { return c.bogie.second; },
-      "where the second wheelset runs, seen from the one that rolls over the defect; its wheels are modes of vibration "
-      "on Hertzian springs",
+      "where the second wheelset runs, seen from the one that rolls over the defect; it is made of its modes of "
+      "vibration "
+      "and stands on Hertz's springs",
       "assumed"));
   ofSecond(number(
       "bogie.pitch_radius", metre, 0.9, {0.1, 5}, [](Case& c) -> double& { return c.bogie.pitchRadius; },

@@ -24,7 +24,6 @@ void Rolling::take(Rolling& right) {
   second_ = std::make_unique<SecondRolling>(models, step_);
 }
 
-// At the start displacements stand where the rolling's u + beta v does, a stretch of the damping's time away.
 void Rolling::startSecond() {
   if (!second_) return;
   std::vector<AlignedVector> filled;

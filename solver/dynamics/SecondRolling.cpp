@@ -209,8 +209,8 @@ void SecondRolling::advanceMotion(std::size_t k) {
     auto& [q, p] = motion.pairs[i];
     const double rate[2] = {p[0] - mode.turn * q[1], p[1] + mode.turn * q[0]};
     const double pushed[2] = {mode.contact * force + mode.box * suspension, 0};
-    // What P carries: the wheel's forces give it F P, of which contact and springs know F dQ/dt. The rest, and what the
-    // dampers take, comes of the turning.
+    // The forces have the power F P on the energy of Q and P; contact and springs account for F dQ/dt of it, and what
+    // turns the wheelset gives the rest. In the same way dampers take 2 zeta omega P dQ/dt.
     const double halves = static_cast<double>(sides_.size());
     driven_ += halves * step_ * pushed[0] * mode.turn * q[1];
     for (int c = 0; c < 2; ++c) {

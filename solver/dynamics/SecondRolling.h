@@ -49,7 +49,7 @@ class SecondRolling {
   double strainEnergy() const;
   double workOfWeight() const;
   double contactEnergy() const;
-  // Since the start: taken by dampers; given by what moves the wheelset along the track over slopes of the rail.
+  // Since the start: taken by dampers; given by what turns the wheelset and moves it over slopes of the rail.
   double damped() const { return damped_; }
   double driven() const { return driven_; }
 

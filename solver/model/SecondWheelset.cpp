@@ -7,7 +7,6 @@
 #include "contact/Hertz.h"
 #include "geometry/Stations.h"
 #include "model/Model.h"
-#include "scenario/WheelsetMass.h"
 
 namespace squat::model {
 
@@ -15,7 +14,7 @@ namespace {
 
 constexpr double highestMode = 5000;  // [Hz] far above what the signals are judged up to
 constexpr int lastHarmonicOfWheel = 5;
-constexpr double touchedHalfWidth = 0.008;  // [m] across the rail
+constexpr double touchedHalfWidth = 0.008;  // [m] across the rail, or a face of it where that is wider
 
 // Wheelset and axle box; what the solids do not weigh sits on the axle. About the track centre, in roll: over one half.
 double rollInertia(const scenario::Wheelset& w, const WheelsetShapes& shapes) {
@@ -90,11 +89,13 @@ std::vector<double> secondLoads(std::span<const scenario::Scenario* const> sides
 
 SecondRailSeat::SecondRailSeat(const Model& model) : model_(model), spread_(model.second->spread) {
   const auto& s = model.surfaces;
+  const int face = geometry::intervalOf(s.railY, s.touchY).first;
+  const double halfWidth = std::max(touchedHalfWidth, s.railY[face + 1] - s.railY[face]);
   double sum = 0;
   for (std::size_t j = 0; j < s.railLine.size(); ++j) {
     const double away = std::abs(s.railY[j] - s.touchY);
     const double width = 0.5 * (s.railY[std::min(j + 1, s.railY.size() - 1)] - s.railY[j == 0 ? 0 : j - 1]);
-    const double weight = width * std::max(0.0, 1 - away / touchedHalfWidth);
+    const double weight = width * std::max(0.0, 1 - away / halfWidth);
     if (weight > 0) nodes_.push_back({s.railLine[j], weight}), sum += weight;
   }
   for (auto& [node, weight] : nodes_) weight /= sum;

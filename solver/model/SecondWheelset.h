@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/AlignedVector.h"
 #include "model/WheelsetModes.h"
 
 namespace squat::model {

@@ -4,7 +4,7 @@
 // does what dashpots and torque have done: half the work of a step is done when its displacement stands. The residual
 // is change of kinetic, strain and contact energy plus everything dissipated minus the work of torque and weight; it is
 // judged against the strain energy at the start plus all dissipation. Of a whole wheelset everything is that of both
-// sides: each alone gets and gives energy at the track centre.
+// sides: each alone gets and gives energy at the track centre. A bogie's second wheelset counts in the sums.
 #pragma once
 
 #include <vector>

@@ -23,7 +23,7 @@
 #include "dynamics/SecondRolling.h"
 #include "geometry/Stations.h"
 #include "model/WheelsetModes.h"
-#include "simulation/RunCase.h"
+#include "simulation/QuietRuns.h"
 #include "simulation/StoppedRuns.h"
 #include "simulation/WarmState.h"
 #include "statics/SteadyRollingStart.h"
@@ -32,6 +32,9 @@
 namespace squat {
 namespace {
 
+using tests::energyResidual;
+using tests::largest;
+using tests::rolled;
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 // A dip of the light defect's shape, reached after 60 mm and left behind after 60 mm.
@@ -42,29 +45,9 @@ cases::CaseDescription bogie(Settings settings = {}, const std::string& wheelbas
   return cases::loadCase(tests::fixtureCase("light-defect"), {"tiny", settings});
 }
 
-results::RunResult passed(const cases::CaseDescription& description, int threads = 2) {
-  simulation::RunOptions options;
-  options.threads = threads;
-  options.wheelsetModes = options.snapshots = false;
-  Monitor silent;
-  return simulation::runCase(description, options, silent);
-}
-
 const results::RunResult& oneDip() {
-  static const auto result = passed(bogie());
+  static const auto result = rolled(bogie());
   return result;
-}
-
-double highest(const std::vector<double>& values) {
-  double most = 0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
-
-double residualOf(const results::RunResult& result) {
-  for (const auto& figure : result.performance)
-    if (figure.name == "energy_residual") return figure.value;
-  return INFINITY;
 }
 
 double loadAtRest(const cases::CaseDescription& d) {
@@ -76,10 +59,10 @@ double loadAtRest(const cases::CaseDescription& d) {
 // %, and less than 1 m/s2, are small beside that.
 TEST(Bogie, TheSecondWheelsetRollsSteadilyOnASmoothRail) {
   const auto d = bogie({{"defect.shape", "none"}});
-  const auto result = passed(d);
+  const auto result = rolled(d);
   for (const double force : *result.signal("second_contact_force"))
     ASSERT_NEAR(force, loadAtRest(d), 5e-3 * loadAtRest(d));
-  EXPECT_LT(highest(*result.signal("second_aba")), 1);
+  EXPECT_LT(largest(*result.signal("second_aba")), 1);
 }
 
 // Maxwell and Betti: the second wheel bends the rail below the first one by as much as its load, on the first one,
@@ -110,17 +93,19 @@ TEST(Bogie, WheelsetsBendEachOthersRail) {
 
 // The limit is that of the half model (RunCaseTest): a fifth of the one at which a run is stopped.
 TEST(Bogie, EnergyIsBalanced) {
-  EXPECT_LT(residualOf(oneDip()), 1e-3);
-  EXPECT_LT(residualOf(passed(bogie({{"wheelset.damping_ratio", "0.02"}, {"bogie.pitch_radius", "0.6"}}))), 1e-3);
-  EXPECT_LT(residualOf(passed(bogie({{"rail.irregularity", "iso-3095"}, {"bogie.second_wheelset", "ahead"}}))), 1e-3);
-  EXPECT_LT(residualOf(passed(bogie({{"model.extent", "whole"}, {"right.defect.shape", "none"}}))), 1e-3);
+  EXPECT_LT(energyResidual(oneDip()), 1e-3);
+  EXPECT_LT(energyResidual(rolled(bogie({{"wheelset.damping_ratio", "0.02"}, {"bogie.pitch_radius", "0.6"}}))), 1e-3);
+  EXPECT_LT(energyResidual(rolled(bogie({{"rail.irregularity", "iso-3095"}, {"bogie.second_wheelset", "ahead"}}))),
+            1e-3);
+  EXPECT_LT(energyResidual(rolled(bogie({{"model.extent", "whole"}, {"right.defect.shape", "none"}}))), 1e-3);
 }
 
 // No wave in a bar of steel is faster than sqrt(E / rho): the second wheelset feels nothing of the dip before that has
-// come all the way, and a force of some kilonewtons by the time bending waves have, within three times as long.
+// come all the way, and more than 100 N, a tenth of a per cent of its load,
+// by the time bending waves have, within three times as long.
 TEST(Bogie, TheSecondWheelsetFeelsTheDipWhenAWaveHasCome) {
   const auto d = bogie();
-  const auto without = passed(bogie({{"defect.shape", "none"}}));
+  const auto without = rolled(bogie({{"defect.shape", "none"}}));
   const auto departure = [&](const char* signal, double limit) {
     const auto &values = *oneDip().signal(signal), &others = *without.signal(signal);
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -132,12 +117,11 @@ TEST(Bogie, TheSecondWheelsetFeelsTheDipWhenAWaveHasCome) {
   const double delay = departure("second_contact_force", 100) - departure("contact_force", 100);
   EXPECT_GT(delay, coming - 2 * sample);
   EXPECT_LT(delay, 3 * coming);
-  EXPECT_GT(highest(*oneDip().signal("second_aba")), 1);
 }
 
 // A whole bogie whose sides are alike is the mirror image of half of one, to the bit.
 TEST(Bogie, EqualSidesMoveAsTheHalfModelDoes) {
-  const auto whole = passed(bogie({{"model.extent", "whole"}}));
+  const auto whole = rolled(bogie({{"model.extent", "whole"}}));
   for (const std::string name : {"aba", "contact_force", "second_aba", "second_contact_force"}) {
     EXPECT_EQ(*whole.signal(name), *oneDip().signal(name)) << name;
     EXPECT_EQ(*whole.signal(name + "_right"), *oneDip().signal(name)) << name;
@@ -148,10 +132,10 @@ TEST(Bogie, EqualSidesMoveAsTheHalfModelDoes) {
 TEST(Bogie, SidesOfTheSecondWheelsetDiffer) {
   const Settings left{{"model.extent", "whole"}, {"right.defect.shape", "none"}};
   const Settings right{{"model.extent", "whole"}, {"defect.shape", "none"}, {"right.defect.shape", "profile"}};
-  const auto one = passed(bogie(left)), other = passed(bogie(right));
+  const auto one = rolled(bogie(left)), other = rolled(bogie(right));
   EXPECT_EQ(*one.signal("second_aba"), *other.signal("second_aba_right"));
   EXPECT_EQ(*one.signal("second_aba_right"), *other.signal("second_aba"));
-  EXPECT_GT(highest(*one.signal("second_aba")), highest(*one.signal("second_aba_right")));
+  EXPECT_GT(largest(*one.signal("second_aba")), largest(*one.signal("second_aba_right")));
 }
 
 // A wheelset whose sides carry unlike loads rests on its levers: moments about the other wheel.
@@ -160,7 +144,7 @@ TEST(Bogie, UnlikeLoadsStandOnTheirLevers) {
                         {"defect.shape", "none"},
                         {"suspension.sprung_mass", "9000"},
                         {"right.suspension.sprung_mass", "6000"}});
-  const auto result = passed(d);
+  const auto result = rolled(d);
   const auto& w = d.wheelset;
   const double gauge = 2 * w.trackCentre, arm = w.bearingCentre, own = cases::resolve(d).wheelset.totalMass;
   // Of the left wheel about the right one: gauge from it the wheelset's own halves act on both wheels alike.
@@ -175,8 +159,8 @@ TEST(Bogie, UnlikeLoadsStandOnTheirLevers) {
   EXPECT_NEAR(meanOf("second_contact_force_right"), right * d.motion.gravity, 2e-3 * right * d.motion.gravity);
 }
 
-// Newton and Euler for a body of mass 2 m and pitch radius r with forces F1, F2 at half the wheelbase b before and
-// behind its middle: a1 = (F1 + F2) / (2 m) + (F1 - F2) (b / 2)^2 / (2 m r^2).
+// Newton and Euler for a body of twice the sprung mass and its pitch radius, pushed half the wheelbase before and
+// behind its middle. What is left of the first force is the mass of one wheelset times the acceleration above it.
 TEST(Bogie, TheSprungMassPitches) {
   for (const char* radius : {"1.25", "0.7"}) {
     const auto d = bogie({{"bogie.pitch_radius", radius}});
@@ -189,8 +173,9 @@ TEST(Bogie, TheSprungMassPitches) {
     const double mass = d.suspension.sprungMass, weight = mass * d.motion.gravity, pushed = 5e3;
     double force[] = {pushed};
     second.advance(force);
-    const double lever = std::pow(0.5 * d.bogie.wheelbase / d.bogie.pitchRadius, 2);
-    EXPECT_NEAR(force[0], 0.5 * (pushed + weight) + 0.5 * lever * (pushed - weight), 1e-6 * weight) << radius;
+    const double arm = 0.5 * d.bogie.wheelbase, inertia = 2 * mass * d.bogie.pitchRadius * d.bogie.pitchRadius;
+    const double middle = (pushed + weight) / (2 * mass), angular = arm * (pushed - weight) / inertia;
+    EXPECT_NEAR(force[0], mass * (middle + arm * angular), 1e-6 * weight) << radius;
   }
 }
 
@@ -220,16 +205,19 @@ TEST(Bogie, ModesStayInSpaceAsFarAsTheyAreTranslations) {
   ASSERT_NE(box, modes.end());
   EXPECT_NEAR(box->stays, 1, 0.02) << box->frequency << " Hz";
   for (const auto& mode : modes) EXPECT_LE(std::abs(mode.stays), 1 + 1e-9) << mode.frequency;
-  // Vibrations of the web across its plane move no mass around or outwards.
-  for (const auto& mode : modes)
-    if (mode.harmonic == 2 && std::abs(mode.contactAmplitude) < 0.02 * std::abs(mode.lateralAmplitude)) {
-      EXPECT_LT(std::abs(mode.stays), 0.1) << mode.frequency << " Hz";
-    }
+  // Vibrations of the web across its plane move little mass around or outwards.
+  int across = 0;
+  for (const auto& mode : modes) {
+    if (mode.harmonic != 2 || std::abs(mode.contactAmplitude) > 0.1 * std::abs(mode.lateralAmplitude)) continue;
+    EXPECT_LT(std::abs(mode.stays), 0.1) << mode.frequency << " Hz";
+    ++across;
+  }
+  EXPECT_GT(across, 0);
 }
 
 TEST(Bogie, SameBitsForAnyNumberOfThreads) {
   for (const int threads : {1, 3}) {
-    const auto other = passed(bogie(), threads);
+    const auto other = rolled(bogie(), threads);
     for (const auto& channel : oneDip().signals)
       EXPECT_EQ(*other.signal(channel.name), channel.values) << channel.name << ", threads: " << threads;
   }
@@ -237,8 +225,7 @@ TEST(Bogie, SameBitsForAnyNumberOfThreads) {
 
 TEST(Bogie, AResumedRunGivesTheSameBits) {
   const tests::TemporaryFolder folder;
-  simulation::RunOptions options;
-  options.threads = 2, options.wheelsetModes = options.snapshots = false;
+  auto options = tests::quietly();
   options.checkpointPath = folder / "bogie.checkpoint", options.checkpointSeconds = 1e9;
   tests::CancelAt stopping(0.5);
   ASSERT_FALSE(simulation::runCase(bogie(), options, stopping).complete);
@@ -247,15 +234,14 @@ TEST(Bogie, AResumedRunGivesTheSameBits) {
   const auto resumed = simulation::runCase(bogie(), options, silent);
   ASSERT_TRUE(resumed.complete);
   for (const auto& channel : oneDip().signals) EXPECT_EQ(*resumed.signal(channel.name), channel.values) << channel.name;
-  EXPECT_EQ(residualOf(resumed), residualOf(oneDip()));
+  EXPECT_EQ(energyResidual(resumed), energyResidual(oneDip()));
 }
 
 // A whole bogie of unlike sides as well.
 TEST(Bogie, AResumedWholeBogieGivesTheSameBits) {
   const tests::TemporaryFolder folder;
   const auto d = bogie({{"model.extent", "whole"}, {"right.suspension.sprung_mass", "7000"}});
-  simulation::RunOptions options;
-  options.threads = 2, options.wheelsetModes = options.snapshots = false;
+  auto options = tests::quietly();
   Monitor silent;
   const auto whole = simulation::runCase(d, options, silent);
   options.checkpointPath = folder / "bogie.checkpoint", options.checkpointSeconds = 1e9;
@@ -270,24 +256,23 @@ TEST(Bogie, AResumedWholeBogieGivesTheSameBits) {
 TEST(Bogie, StartsFromAWarmState) {
   Settings keys{
       {"motion.run_up", "0.1"}, {"mesh.zone_before", "30"}, {"mesh.zone_behind", "30"}, {"defect.height_scale", "1"}};
-  simulation::RunOptions options;
-  options.threads = 2, options.wheelsetModes = options.snapshots = false;
+  auto options = tests::quietly();
   Monitor silent;
   auto warm = simulation::makeWarmState(bogie(keys), options, silent);
   ASSERT_TRUE(warm);
   options.warm = std::make_shared<const simulation::WarmState>(*std::move(warm));
   keys.back().second = "0.5";
   const auto from = simulation::runCase(bogie(keys), options, silent);
-  const auto whole = passed(bogie(keys));
+  const auto whole = rolled(bogie(keys));
   for (const auto& channel : whole.signals) EXPECT_EQ(*from.signal(channel.name), channel.values) << channel.name;
   EXPECT_THROW(simulation::runCase(bogie(keys, "2.6"), options, silent), CaseError);
 }
 
 // The second wheelset rolls over the same rail, as rough as it is there.
 TEST(Bogie, TheSecondWheelsetFeelsTheIrregularityOfItsOwnPlace) {
-  const auto rough = passed(bogie({{"defect.shape", "none"}, {"rail.irregularity", "iso-3095"}}));
-  const auto smooth = passed(bogie({{"defect.shape", "none"}}));
-  EXPECT_GT(highest(*rough.signal("second_aba")), 3 * highest(*smooth.signal("second_aba")));
+  const auto rough = rolled(bogie({{"defect.shape", "none"}, {"rail.irregularity", "iso-3095"}}));
+  const auto smooth = rolled(bogie({{"defect.shape", "none"}}));
+  EXPECT_GT(largest(*rough.signal("second_aba")), 3 * largest(*smooth.signal("second_aba")));
   const auto scenario = cases::resolve(bogie({{"rail.irregularity", "iso-3095"}}));
   // Away from where both start, heights differ by a constant: both are heights above a starting point.
   const auto at = [&](double x) {
@@ -301,7 +286,7 @@ TEST(Bogie, FeaturesHoldTheSecondWheelset) {
   const auto found =
       std::find_if(row.begin(), row.end(), [](const auto& one) { return one.first == "second peak [m/s2]"; });
   ASSERT_NE(found, row.end());
-  EXPECT_EQ(found->second, highest(*oneDip().signal("second_aba_filtered")));
+  EXPECT_EQ(found->second, largest(*oneDip().signal("second_aba_filtered")));
 }
 
 // What is refused is accepted with what the message asks for.
@@ -324,9 +309,13 @@ TEST(Bogie, NeedsRoomOnTheRail) {
   ASSERT_EQ(near->allowed.find(least), 0u) << near->allowed;
   EXPECT_FALSE(
       problemOf(changed({{"bogie.wheelbase", std::to_string(std::stod(near->allowed.substr(least.size())))}})));
-  const auto longRun = problemOf(changed({{"track.length", "16"}, {"motion.run_up", "4"}}));
+  const auto longRun = problemOf(changed({{"track.length", "30"}, {"motion.run_up", "4"}}));
   ASSERT_TRUE(longRun);
   EXPECT_EQ(longRun->key, "motion.run_up");
+  const std::string most = "at most ";
+  ASSERT_EQ(longRun->allowed.find(most), 0u) << longRun->allowed;
+  const std::string runUp = std::to_string(std::stod(longRun->allowed.substr(most.size())));
+  EXPECT_FALSE(problemOf(changed({{"track.length", "30"}, {"motion.run_up", runUp}, {"bogie.wheelbase", "4"}})));
   const auto onDefect = problemOf(changed({{"bogie.second_wheelset", "ahead"},
                                            {"bogie.wheelbase", "1.2"},
                                            {"defect.points", "[[-20, 0], [0, -0.1], [1300, 0]]"}}));

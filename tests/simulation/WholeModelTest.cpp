@@ -21,13 +21,16 @@
 #include "case/Validation.h"
 #include "core/Errors.h"
 #include "signals/SignalCatalogue.h"
-#include "simulation/RunCase.h"
+#include "simulation/QuietRuns.h"
 #include "simulation/StoppedRuns.h"
 #include "simulation/WarmState.h"
 
 namespace squat {
 namespace {
 
+using tests::energyResidual;
+using tests::largest;
+using tests::rolled;
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 // A dip of the light defect's shape, reached after 60 mm and left behind after 60 mm.
@@ -36,23 +39,9 @@ cases::CaseDescription dip(Settings settings) {
   return cases::loadCase(tests::fixtureCase("light-defect"), {"tiny", settings});
 }
 
-results::RunResult rolled(const cases::CaseDescription& description, int threads = 2) {
-  simulation::RunOptions options;
-  options.threads = threads;
-  options.wheelsetModes = options.snapshots = false;
-  Monitor silent;
-  return simulation::runCase(description, options, silent);
-}
-
 const results::RunResult& oneSided() {
   static const auto result = rolled(dip({{"model.extent", "whole"}, {"right.defect.shape", "none"}}));
   return result;
-}
-
-double largest(const std::vector<double>& values) {
-  double most = 0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
 }
 
 // Mirror images need no mirror: the half model is exact for equal sides. Every operation on both sides is one of the
@@ -67,12 +56,6 @@ TEST(WholeModel, EqualSidesMoveAsTheHalfModelDoes) {
       EXPECT_EQ(*whole.signal(std::string(name) + "_right"), *half.signal(name)) << name;
     }
   }
-}
-
-double energyResidual(const results::RunResult& result) {
-  for (const auto& figure : result.performance)
-    if (figure.name == "energy_residual") return figure.value;
-  return INFINITY;
 }
 
 // Left and right are names: exchanged sides give exchanged signals.

@@ -3,10 +3,11 @@
 // spring. The second wheelset gets a vertical velocity v at once, as from a hammer. The force F2 on its wheel follows
 // from that and from the force F1 on the wheel of the first one, which its waves reach and which sends them back:
 //   F2 (a22 + 1/k + A) = -v / s^2 - a21 F1,
-// a the receptances of the beam, A that of the wheelset at its wheel, 1/k what the contact and the head of the rail
-// give. All at s = sigma + i omega: what the record lacks is then small by exp(-sigma T). Without F1 the levels differ
-// by up to half. Tolerance 5 %, at a frequency within 1.5 % of the beam's: sections that deform (VoidedSleeperTest,
-// TrackReceptanceTest) shift resonances of the rail by that much.
+// a the receptances of the beam, A that of the wheelset at its wheel from its modes (which AxleModesTest holds against
+// theory), 1/k what the contact and, at rest, the head of the rail give. All at s = sigma + i omega: what the record
+// lacks is then small by exp(-sigma T). Without F1 the levels differ by up to half. Tolerance 5 %, at a frequency
+// within 1.5 % of the beam's: the section, which no beam lets deform, shifts resonances by up to 2 %
+// (TrackReceptanceTest).
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -33,10 +33,13 @@ void addAccelerations(Figure& figure, const results::RunResult& result, const st
   // Of a whole model, behind the left side.
   if (const auto* right = result.signal(signals::filteredNameOnRight(signals::names::axleBox)))
     addCurve(figure, {x, *right, labelWithExtremes("axle box, right", x, *right, from, to), 2, 0.9});
-  if (const auto* second = result.signal(signals::names::secondAxleBoxFiltered))
-    addCurve(figure, {x, *second, labelWithExtremes("second wheelset", x, *second, from, to), 3, 0.9});
-  if (const auto* other = result.signal(signals::filteredNameOnRight(signals::names::secondAxleBox)))
-    addCurve(figure, {x, *other, labelWithExtremes("second wheelset, right", x, *other, from, to), 4, 0.9});
+  // Of a bogie; short enough for two columns of the legend where there are four axle boxes.
+  const auto* second = result.signal(signals::names::secondAxleBoxFiltered);
+  const auto* secondRight = result.signal(signals::filteredNameOnRight(signals::names::secondAxleBox));
+  const char* name = secondRight ? "second, left" : "second wheelset";
+  if (second) addCurve(figure, {x, *second, labelWithExtremes(name, x, *second, from, to), 3, 0.9});
+  if (secondRight)
+    addCurve(figure, {x, *secondRight, labelWithExtremes("second, right", x, *secondRight, from, to), 4, 0.9});
   if (!box && !wheel) addNotice(figure, "no acceleration in this result");
   figure.xAxis->setRange(from, to);
   figure.yAxis->setLabel("Vertical acceleration [m/s²]");
