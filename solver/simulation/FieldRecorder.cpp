@@ -37,9 +37,7 @@ bool FieldRecorder::has(const std::string& name) const {
 }
 
 void FieldRecorder::take(const std::string& name, const dynamics::Rolling& rolling) {
-  const double travel = rolling.view().position - rolling.model().startX;
-  result_.snapshots.push_back(fields_.snapshot(name, rolling.displacement(), rolling.state().time, travel,
-                                               rolling.state().rotation, rolling.state().plastic));
+  result_.snapshots.push_back(fields_.snapshot(name, rolling));
   result_.patches.push_back(patchSnapshot(name, rolling));
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "results/RunResult.h"
+#include "simulation/ModelFields.h"
 #include "simulation/StepObserver.h"
-#include "simulation/SurfaceFields.h"
 
 namespace squat::simulation {
 
@@ -12,7 +12,7 @@ class FieldRecorder : public StepObserver {
  public:
   // Looks at every `grid`-th step of a sample of `perSample` steps: at the same ones however often the run was stopped.
   // Snapshots and patches go to `result`.
-  FieldRecorder(const SurfaceFields& fields, results::RunResult& result, long perSample, long grid)
+  FieldRecorder(const ModelFields& fields, results::RunResult& result, long perSample, long grid)
       : fields_(fields), result_(result), perSample_(perSample), grid_(grid) {}
 
   long nextStep(long done) const override;
@@ -22,7 +22,7 @@ class FieldRecorder : public StepObserver {
   bool has(const std::string& name) const;
   void take(const std::string& name, const dynamics::Rolling& rolling);
 
-  const SurfaceFields& fields_;
+  const ModelFields& fields_;
   results::RunResult& result_;
   long perSample_, grid_;
 };

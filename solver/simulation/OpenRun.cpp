@@ -16,7 +16,6 @@
 #include "model/CentrePlane.h"
 #include "simulation/Describe.h"
 #include "simulation/RollingStateFile.h"
-#include "simulation/SurfaceFields.h"
 #include "simulation/WarmState.h"
 #include "statics/SteadyRollingStart.h"
 #include "statics/WholeSystem.h"
@@ -62,8 +61,8 @@ void reportStep(Monitor& monitor, double step, const std::string& location) {
 }  // namespace
 
 RollingRun::RollingRun(const RunOptions& options, results::RunResult& result, Monitor& monitor,
-                       dynamics::Rolling& rolling, const SurfaceFields* fields, const RunStart& start,
-                       double startStrain, long last, std::function<void(const std::string&)> warn)
+                       dynamics::Rolling& rolling, const ModelFields* fields, const RunStart& start, double startStrain,
+                       long last, std::function<void(const std::string&)> warn)
     : balance(rolling, startStrain),
       recorder(rolling, static_cast<std::size_t>(start.stepsPerSample)),
       energy(balance, samplesPerBalance * start.stepsPerSample),
@@ -237,10 +236,12 @@ bool OpenRun::begin(std::future<Modes> modes) {
     rolling->sides()[i]->start(starts[i].equilibrium.displacement, starts[i].velocity, rate);
   rolling->startSecond();
   if (!options.snapshots) return true;
-  fields = std::make_unique<SurfaceFields>(model);
+  fields = std::make_unique<ModelFields>(model, rightModel ? &*rightModel : nullptr);
   result.surface = fields->mesh();
-  result.snapshots.push_back(
-      fields->snapshot("equilibrium", equilibrium.displacement, 0, 0, 0, rolling->state().plastic));
+  std::vector<ModelFields::State> states;
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    states.push_back({starts[i].equilibrium.displacement, rolling->sides()[i]->state().plastic});
+  result.snapshots.push_back(fields->snapshot("equilibrium", states, 0, 0, 0));
   return true;
 }
 
@@ -250,7 +251,7 @@ void OpenRun::restore(const StoredState& stored) {
   if (options.wheelsetModes && result.modes.empty())
     result.modes = timed("modes", [&] { return naturalModes(scenario); });
   if (options.snapshots) {
-    fields = std::make_unique<SurfaceFields>(model);
+    fields = std::make_unique<ModelFields>(model, rightModel ? &*rightModel : nullptr);
     result.surface = fields->mesh();
   }
   makeRolling();

@@ -35,7 +35,7 @@ class RollingRun {
  public:
   // `lastStep`: the end that progress counts to. `warn` as CheckpointWriter's.
   RollingRun(const RunOptions& options, results::RunResult& result, Monitor& monitor, dynamics::Rolling& rolling,
-             const SurfaceFields* fields, const RunStart& start, double startStrain, long lastStep,
+             const ModelFields* fields, const RunStart& start, double startStrain, long lastStep,
              std::function<void(const std::string&)> warn);
   RollingRun(const RollingRun&) = delete;
   RollingRun& operator=(const RollingRun&) = delete;
@@ -92,7 +92,7 @@ class OpenRun {
   model::Model model;
   std::optional<model::Model> rightModel;  // of a whole model
   RunStart steps;
-  std::unique_ptr<SurfaceFields> fields;
+  std::unique_ptr<ModelFields> fields;
   std::optional<dynamics::StepTimings> timings;  // where they are asked for
   std::optional<dynamics::Rolling> rolling, rightRolling;
   std::optional<RollingRun> parts;

@@ -12,7 +12,6 @@
 #include "signals/SignalCatalogue.h"
 #include "simulation/Describe.h"
 #include "simulation/OpenRun.h"
-#include "simulation/SurfaceFields.h"
 #include "simulation/WarmState.h"
 #include "statics/UnloadedShape.h"
 
@@ -104,9 +103,9 @@ bool unload(OpenRun& run) {
   if (shape.cancelled) return false;
   describePermanentChange(rolling, shape.displacement, run.result);
   if (run.fields)
-    run.result.snapshots.push_back(run.fields->snapshot("unloaded", shape.displacement, rolling.state().time,
-                                                        rolling.view().position - rolling.model().startX,
-                                                        rolling.state().rotation, rolling.state().plastic, true));
+    run.result.snapshots.push_back(
+        run.fields->snapshot("unloaded", {{shape.displacement, rolling.state().plastic}}, rolling.state().time,
+                             rolling.view().position - rolling.model().startX, rolling.state().rotation, true));
   return true;
 }
 

@@ -13,7 +13,6 @@
 #include "contact/ContactSurfaces.h"
 #include "core/Errors.h"
 #include "simulation/OpenRun.h"
-#include "simulation/SurfaceFields.h"
 
 namespace squat::simulation {
 

@@ -17,6 +17,7 @@
 #include "analysis/FeatureTable.h"
 #include "case/CaseFile.h"
 #include "case/ParameterValue.h"
+#include "case/Resolve.h"
 #include "case/RightSide.h"
 #include "case/Validation.h"
 #include "core/Errors.h"
@@ -54,6 +55,32 @@ TEST(WholeModel, EqualSidesMoveAsTheHalfModelDoes) {
     for (const char* name : {signals::names::axleBox, signals::names::contactForce, signals::names::wheelSpeed}) {
       EXPECT_EQ(*whole.signal(name), *half.signal(name)) << name;
       EXPECT_EQ(*whole.signal(std::string(name) + "_right"), *half.signal(name)) << name;
+    }
+  }
+}
+
+// The surface of the right side is the left one's mirror image at the track centre, y = -trackCentre, where both sides
+// are equal; its fields are too. The half model, which knows nothing of the other side, says what they are.
+TEST(WholeModel, PicturesShowTheRightSideAsTheMirrorImageOfTheLeft) {
+  auto options = tests::quietly();
+  options.snapshots = true;
+  Monitor silent;
+  const auto half = simulation::runCase(dip({}), options, silent);
+  const auto whole = simulation::runCase(dip({{"model.extent", "whole"}}), options, silent);
+  const auto count = half.surface.points.size() / 3;
+  ASSERT_EQ(whole.surface.points.size(), 6 * count);
+  const float centre = static_cast<float>(-2 * whole.resolvedCase->scenario.wheelset.trackCentre);
+  for (std::size_t i = 0; i < count; ++i) {
+    ASSERT_EQ(whole.surface.points[3 * (count + i)], half.surface.points[3 * i]);
+    ASSERT_EQ(whole.surface.points[3 * (count + i) + 1], centre - half.surface.points[3 * i + 1]);
+  }
+  ASSERT_EQ(whole.snapshots.size(), half.snapshots.size());
+  for (std::size_t s = 0; s < half.snapshots.size(); ++s) {
+    const auto &both = whole.snapshots[s].displacement, &one = half.snapshots[s].displacement;
+    ASSERT_EQ(both.size(), 2 * one.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      ASSERT_EQ(both[i], one[i]);
+      ASSERT_EQ(both[one.size() + i], i % 3 == 1 ? -one[i] : one[i]);
     }
   }
 }

@@ -83,7 +83,8 @@ void addOverview(SurfacelessWindow& window, const results::RunResult& result, co
       springActor(springLines(result.surface, snapshot ? snapshot->wheelTravel : 0), 2.5 * pixels.line);
   for (const auto& plane : look.cuts) springs->GetMapper()->AddClippingPlane(plane);
   renderer->AddActor(springs);
-  aim(*renderer, {contactAt, -0.12, 0.24}, overviewFrom, 0.95);
+  const bool isWhole = hasBothSides(result.surface);
+  aim(*renderer, {contactAt, middleAcross(result.surface), 0.24}, overviewFrom, isWhole ? 1.35 : 0.95);
 }
 
 // With inner faces at y = 0 both bodies are cut there and the stress below the surface is seen; without them the wheel

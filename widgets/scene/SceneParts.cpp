@@ -167,9 +167,12 @@ double largestNear(const std::vector<PartData>& parts, double centre, double rea
   for (const auto& part : parts) {
     vtkDataArray* values = part.faces->GetPointData()->GetScalars();
     if (!values) continue;
-    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
-      if (std::abs(part.faces->GetPoint(i)[0] - centre) < reach && std::isfinite(values->GetTuple1(i)))
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i) {
+      const double* at = part.faces->GetPoint(i);
+      const bool isOnLeft = at[1] > -0.8;  // [m] the track centre, about; the rail's axis is at 0
+      if (isOnLeft && std::abs(at[0] - centre) < reach && std::isfinite(values->GetTuple1(i)))
         largest = std::max(largest, values->GetTuple1(i));
+    }
   }
   return largest;
 }

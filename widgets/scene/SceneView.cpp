@@ -268,9 +268,11 @@ void SceneView::zoom(double factor) {
 void SceneView::lookFrom(StandardView view) {
   if (parts_->stale && parts_->placed) rebuild();
   const double x = parts_->contactAt;
+  const bool isWhole = parts_->result && hasBothSides(parts_->result->surface);
+  const double middle = isWhole ? middleAcross(parts_->result->surface) : 0;
   switch (view) {
     case StandardView::overview:
-      return aim(*parts_->renderer, {x, -0.1, 0.22}, overviewFrom, 0.75);
+      return aim(*parts_->renderer, {x, isWhole ? middle : -0.1, 0.22}, overviewFrom, isWhole ? 1.2 : 0.75);
     case StandardView::contact:
       if (isOfPatch(parts_->choices.field)) return aim(*parts_->renderer, {x, 0, 0}, {0.3, -0.5, 0.8}, 0.014);
       return parts_->choices.cut ? aim(*parts_->renderer, {x, 0, 0}, {0.25, -0.95, 0.16}, 0.06)
@@ -278,9 +280,9 @@ void SceneView::lookFrom(StandardView view) {
     case StandardView::side:
       return aim(*parts_->renderer, {x, 0, 0.25}, {0, -1, 0}, 0.75);
     case StandardView::front:
-      return aim(*parts_->renderer, {x, -0.2, 0.25}, {1, 0, 0}, 0.75);
+      return aim(*parts_->renderer, {x, isWhole ? middle : -0.2, 0.25}, {1, 0, 0}, isWhole ? 1.1 : 0.75);
     case StandardView::top:
-      return aim(*parts_->renderer, {x, -0.1, 0.2}, {0.0001, -0.02, 1}, 0.9);
+      return aim(*parts_->renderer, {x, isWhole ? middle : -0.1, 0.2}, {0.0001, -0.02, 1}, isWhole ? 1.4 : 0.9);
   }
 }
 

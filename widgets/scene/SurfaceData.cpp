@@ -100,6 +100,22 @@ std::array<double, 3> wheelCentre(const results::SurfaceMesh& surface) {
   return {0.5 * (low[0] + high[0]), 0, 0.5 * (low[2] + high[2])};
 }
 
+bool hasBothSides(const results::SurfaceMesh& surface) {
+  constexpr double beyondCentre = -1.2;  // [m] half of the widest gauge and more; the rail's axis is at 0
+  for (std::size_t i = 1; i < surface.points.size(); i += 3)
+    if (surface.points[i] < beyondCentre) return true;
+  return false;
+}
+
+double middleAcross(const results::SurfaceMesh& surface) {
+  constexpr double ofHalf = -0.12;  // [m]
+  if (!hasBothSides(surface)) return ofHalf;
+  float low = 0, high = 0;
+  for (std::size_t i = 1; i < surface.points.size(); i += 3)
+    low = std::min(low, surface.points[i]), high = std::max(high, surface.points[i]);
+  return 0.5 * static_cast<double>(low + high);
+}
+
 std::vector<float> locationsOf(const results::SurfaceMesh& surface, const results::SurfaceSnapshot& snapshot,
                                double displacementScale) {
   const std::size_t count = surface.points.size() / 3;

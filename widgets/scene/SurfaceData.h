@@ -21,6 +21,11 @@ bool isCutFace(const std::string& partName);
 // Centre of the wheel at the start: the middle in x and z of the rolling parts; zeros where there are none.
 std::array<double, 3> wheelCentre(const results::SurfaceMesh& surface);
 
+// Whether both sides of the track are there: the half model's surface ends at the track centre.
+bool hasBothSides(const results::SurfaceMesh& surface);
+// Middle of the track or, of a half model, a place between rail and track centre [m].
+double middleAcross(const results::SurfaceMesh& surface);
+
 struct PartData {
   std::string name;
   vtkSmartPointer<vtkPolyData> faces;  // point scalars: the field in the unit of fieldName(), if any
