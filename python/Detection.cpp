@@ -86,6 +86,20 @@ void checkOptions(const detection::DetectOptions& options, const std::optional<d
   if (diameter) requireBetween("wheel_diameter", *diameter, 0.3, 1.5, "0.3 to 1.5 m");
 }
 
+// A tuple of two names, a list of such tuples, or None.
+detection::AxleNames axlesFrom(const py::object& axle) {
+  if (axle.is_none()) return std::nullopt;
+  const py::list all = py::isinstance<py::tuple>(axle) ? py::list(py::make_tuple(axle)) : py::list(axle);
+  std::vector<std::string> texts;
+  for (const auto& one : all) {
+    if (!py::isinstance<py::tuple>(one) || py::len(one) != 2)
+      throw CaseError({{"axle", textOf(py::str(one)), "a tuple of the left and the right channel, or a list", ""}});
+    const auto names = py::reinterpret_borrow<py::tuple>(one);
+    texts.push_back(textOf(names[0]) + "," + textOf(names[1]));
+  }
+  return texts.empty() ? detection::axleNamesFromText({"none"}) : detection::axleNamesFromText(texts);
+}
+
 constexpr const char* detectDoc =
     R"(Find squats, joints, welds, corrugation and wheel flats in records of axle box acceleration.
 
@@ -99,7 +113,9 @@ in `folder`; None: by general examples. `examples`, `labels`, `learned`: files a
 detect. `light`, `moderate`: largest length and depth of these severities [mm], "35x0.10".
 `chainage` of the first sample, where the record has no positions: a number [m], "12.3 km" or
 "12+300". `wheel_diameter` [m], None: found from the record. `threshold`: least evidence of an
-event. `false_alarms` [1/km] that are accepted from the background. `least_share` of the samples
+event. `axle`: names of the left and the right channel of one wheelset, a tuple, or a list of them,
+of which each event gets its side; []: none; None: channels whose names differ in left and right.
+`false_alarms` [1/km] that are accepted from the background. `least_share` of the samples
 that must be readable. `consecutive`: the files are one ride; `passes`: every file is a pass by
 itself. `progress` and Ctrl-C as in run(). Further arguments say how records are read: speed [m/s]
 (or "108 km/h") and rate [Hz] where the record has none, column, unit (of all signals, or a dict of
@@ -119,8 +135,8 @@ void addDetection(py::module_& module) {
          const std::filesystem::path& examples, const std::filesystem::path& labels,
          const std::filesystem::path& learned, const std::string& light, const std::string& moderate,
          const py::object& chainage, std::optional<double> diameter, double threshold, double falseAlarms,
-         double leastShare, bool consecutive, bool passes, int threads, const py::object& progress,
-         const py::kwargs& reading) {
+         double leastShare, const py::object& axle, bool consecutive, bool passes, int threads,
+         const py::object& progress, const py::kwargs& reading) {
         if (consecutive && passes)
           throw CaseError({{"passes", "True", "False where consecutive is True", "Files are one ride or several"}});
         Search search;
@@ -132,6 +148,7 @@ void addDetection(py::module_& module) {
         if (!chainage.is_none()) search.reading.chainage = analysis::chainageFromText(textOf(chainage));
         search.options.threshold = threshold, search.options.falseAlarms = falseAlarms;
         search.options.leastShare = leastShare, search.options.threads = threads;
+        search.options.axles = axlesFrom(axle);
         checkOptions(search.options, diameter);
         if (diameter) search.options.surroundings.circumference = std::numbers::pi * *diameter;
         auto& source = search.source;
@@ -150,8 +167,9 @@ void addDetection(py::module_& module) {
       py::arg("chainage") = py::none(), py::arg("wheel_diameter") = py::none(),
       py::arg("threshold") = detection::DetectOptions().threshold,
       py::arg("false_alarms") = detection::DetectOptions().falseAlarms,
-      py::arg("least_share") = detection::DetectOptions().leastShare, py::arg("consecutive") = false,
-      py::arg("passes") = false, py::arg("threads") = 0, py::arg("progress") = py::none(), detectDoc);
+      py::arg("least_share") = detection::DetectOptions().leastShare, py::arg("axle") = py::none(),
+      py::arg("consecutive") = false, py::arg("passes") = false, py::arg("threads") = 0,
+      py::arg("progress") = py::none(), detectDoc);
 }
 
 }  // namespace squat::python

@@ -35,6 +35,16 @@ py::object severities(const Event& self) {
   return all;
 }
 
+py::object side(const Event& self) {
+  const auto& judged = self.event().side;
+  return judged ? py::object(py::str(detection::toText(judged->side()))) : py::none();
+}
+
+py::object sideSureness(const Event& self) {
+  const auto& judged = self.event().side;
+  return judged ? py::object(py::float_(judged->sureness())) : py::none();
+}
+
 py::object coordinate(double degrees) { return std::isfinite(degrees) ? py::object(py::float_(degrees)) : py::none(); }
 
 // Events are few, so that their times are made, not kept.
@@ -109,6 +119,9 @@ void addJudgement(EventClass& type) {
       type, "depth_range",
       [](const Event& self) { return range(self, self.event().judgement.depthLow, self.event().judgement.depthHigh); },
       "Depth [m] with a probability of 90 %: a tuple of low and high, or None.");
+  addProperty(type, "side", &side,
+              "Rail with the defect, of a wheelset with two channels: \"left\", \"right\" or \"both\"; else None.");
+  addProperty(type, "side_sureness", &sideSureness, "Probability of the side, 0 to 1: float or None.");
   addProperty(
       type, "reason", [](const Event& self) { return self.event().reason; },
       "What decided, where it was not the signal (\"as labelled\"): str.");

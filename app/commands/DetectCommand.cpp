@@ -29,6 +29,7 @@ namespace {
 
 struct DetectCommandOptions {
   std::vector<std::string> files;
+  std::vector<std::string> axles;
   std::string folder, chainage, examples, labels, learned, partition, light, moderate;
   CaseOptions caseOptions;
   SignalOptions signal;
@@ -117,6 +118,7 @@ int notWritten(TerminalMonitor& monitor) {
 int detect(DetectCommandOptions options) {
   if (options.diameter > 0) options.detect.surroundings.circumference = std::numbers::pi * options.diameter;
   if (options.folder.empty()) options.folder = ".";
+  options.detect.axles = detection::axleNamesFromText(options.axles);
   options.limits = detection::severityLimitsFromText(options.light, options.moderate);
   const auto search = searchOf(options);
   if (!options.learned.empty() && options.labels.empty()) detection::readExamples(options.learned);  // before the work
@@ -177,6 +179,12 @@ void addDetectCommand(CLI::App& program, Action& action) {
   addSignalOptions(*command, options->signal);
   command->add_option("--chainage", options->chainage, "Of the first sample: metres, \"12.3 km\" or 12+300")
       ->type_name("CHAINAGE");
+  command
+      ->add_option("--axle", options->axles,
+                   "Channels of the left and the right axle box of one wheelset, of which each event gets its side; "
+                   "repeatable; or none (default: channels whose names differ in left and right)")
+      ->allow_extra_args(false)
+      ->type_name("LEFT,RIGHT");
   auto* vehicle =
       command
           ->add_option("--case", options->caseOptions.name,

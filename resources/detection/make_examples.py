@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Computes the table of examples that squat detect ships: passages over known squats and other irregularities.
 
-    make_examples.py FOLDER [--vehicles N] [--first K] [--squat PROGRAM] [--seed S] [--passages]
+    make_examples.py FOLDER [--vehicles N] [--first K] [--squat PROGRAM] [--seed S] [--passages] [--sides]
 
 For each of N vehicles and tracks (presets of the program, their inputs varied within plausible ranges, any speed and any
 distance from the sleeper) one call of squat examples on the mesh tiny writes FOLDER/vehicle-NNN.csv; a vehicle whose
 table stands there already is not computed again. FOLDER/examples.csv is all of them. With --passages the signals are
-kept in FOLDER/vehicle-NNN, for evaluate_detection.py. Ranges are assumed; none comes
+kept in FOLDER/vehicle-NNN, for evaluate_detection.py. With --sides, models are whole, with the defect on the left rail
+alone and pads of the right rail up to a fifth softer or stiffer: for side-examples.csv and evaluate_sides.py. Ranges are assumed; none comes
 from a measurement. Needs Python 3 and squat. A vehicle with
 15 squats, six others and two flats takes some minutes on two cores, more where others run on a track of their own.
 """
@@ -45,7 +46,12 @@ def compute(arguments, index, path):
             "--seed", str(1000 * arguments.seed + index), "-o", str(path)]
     if arguments.passages:
         call += ["--passages", str(path.with_suffix(""))]
-    for key, value in vehicle(random.Random(1000 * arguments.seed + index)).items():
+    rng = random.Random(1000 * arguments.seed + index)
+    keys = vehicle(rng)
+    if arguments.sides:
+        keys |= {"model.extent": "whole", "right.defect.shape": "none",
+                 "right.pad.stiffness": keys["pad.stiffness"] * math.exp(rng.uniform(-0.2, 0.2))}
+    for key, value in keys.items():
         call += ["--set", f"{key}={value if isinstance(value, str) else format(value, '.5g')}"]
     ended = subprocess.run(call, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     if ended.returncode:
@@ -63,6 +69,7 @@ def main():
     parser.add_argument("--squat", default="squat", help="the program")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--passages", action="store_true", help="keep the signals")
+    parser.add_argument("--sides", action="store_true", help="whole models with the defect on one rail")
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
     for index in range(arguments.first, arguments.first + arguments.vehicles):

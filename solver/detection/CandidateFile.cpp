@@ -19,7 +19,7 @@ namespace {
 
 // CBOR (RFC 8949) behind a line with name, version of the layout, and checksum: small, and exact for every number.
 using PlainJson = nlohmann::json;
-constexpr const char* kMagic = "squat-candidates 2 ";
+constexpr const char* kMagic = "squat-candidates 3 ";
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;
 constexpr const char* kAdvice = "Delete the file and compute its record again";
 
@@ -67,6 +67,10 @@ void fields(auto& visit, Is<EventFeatures> auto& value) {
   visit("reach", value.reach);
   visit("wavelength", value.wavelength);
 }
+void fields(auto& visit, Is<FirstArrival> auto& value) {
+  visit("energy", value.energy);
+  visit("noise", value.noise);
+}
 // As found: what judging adds is not kept.
 void fields(auto& visit, Is<Event> auto& value) {
   visit("channel", value.channel);
@@ -79,7 +83,13 @@ void fields(auto& visit, Is<Event> auto& value) {
   visit("score", value.score);
   visit("peak", value.peak);
   visit("features", value.features);
+  visit("arrival", value.arrival);
+  visit("otherPeak", value.otherPeak);
   visit("passage", value.passage);
+}
+void fields(auto& visit, Is<Axle> auto& value) {
+  visit("left", value.left);
+  visit("right", value.right);
 }
 void fields(auto& visit, Is<Piece> auto& value) {
   visit("position", value.position);
@@ -107,6 +117,7 @@ void fields(auto& visit, Is<ChannelDetection> auto& value) {
 void fields(auto& visit, Is<RecordDetection> auto& value) {
   visit("layout", value.layout);
   visit("channels", value.channels);
+  visit("axles", value.axles);
   visit("faults", value.faults);
   visit("notes", value.notes);
   visit("duration", value.duration);
@@ -134,6 +145,11 @@ concept IsList = requires {
 &&!std::same_as<Value, std::string>;
 
 template <typename Value>
+concept IsOptional = requires(Value& value) {
+  value.has_value();
+};
+
+template <typename Value>
 PlainJson saved(const Value& value);
 
 struct Saver {
@@ -150,6 +166,8 @@ PlainJson saved(const Value& value) {
     Saver saver;
     fields(saver, value);
     return std::move(saver.json);
+  } else if constexpr (IsOptional<Value>) {
+    return value ? saved(*value) : PlainJson();
   } else if constexpr (IsList<Value>) {
     PlainJson list = PlainJson::array();
     for (const auto& each : value) list.push_back(saved(each));
@@ -177,6 +195,11 @@ void load(const PlainJson& json, Value& value) {
   if constexpr (HasFields<Value>) {
     Loader loader{json};
     fields(loader, value);
+  } else if constexpr (IsOptional<Value>) {
+    if (json.is_null())
+      value.reset();
+    else
+      load(json, value.emplace());
   } else if constexpr (IsList<Value>) {
     if constexpr (requires { value.resize(1); }) value.resize(json.size());
     for (std::size_t i = 0; i < value.size(); ++i) load(json.at(i), value[i]);
@@ -200,6 +223,9 @@ std::string settingsText(const records::RecordOptions& read, const DetectOptions
     if (!value.empty()) all += std::string(", ") + name + " " + value;
   };
   if (options.leastShare != 0.9) add("least share", text::numberText(options.leastShare));
+  if (options.axles && options.axles->empty()) add("axle", "none");
+  if (options.axles)
+    for (const auto& [left, right] : *options.axles) add("axle", left + "," + right);
   add("column", columns.column);
   add("time column", columns.timeColumn);
   add("position column", columns.positionColumn);

@@ -10,6 +10,7 @@
 #include "core/ThreadTeam.h"
 #include "detection/BackgroundSections.h"
 #include "detection/BandPower.h"
+#include "detection/FirstArrival.h"
 #include "text/Numbers.h"
 
 namespace squat::detection {
@@ -30,11 +31,13 @@ class Pipeline {
   void add(std::vector<Segment> segments) {
     for (auto& segment : segments) {
       while (underWay_.size() >= maximum_) takeFirst();
-      underWay_.push_back(std::async(std::launch::async, [threshold = threshold_, segment = std::move(segment)] {
-        std::vector<SegmentEvents> found;
-        for (std::size_t c = 0; c < segment.channels.size(); ++c) found.push_back(segmentEvents(segment, c, threshold));
-        return found;
-      }));
+      underWay_.push_back(
+          std::async(std::launch::async, [threshold = threshold_, axles = result_.axles, segment = std::move(segment)] {
+            std::vector<SegmentEvents> found;
+            for (std::size_t c = 0; c < segment.channels.size(); ++c)
+              found.push_back(segmentEvents(segment, c, threshold, otherChannel(axles, c)));
+            return found;
+          }));
     }
   }
   void finish() {
@@ -171,6 +174,12 @@ RecordDetection findCandidates(records::RecordStream& stream, const DetectOption
   result.layout = stream.layout();
   requireRate(result.layout);
   for (const auto& channel : result.layout.channels) result.channels.push_back({channel.name, {}, {}, 0});
+  result.axles = axlesOf(result.layout, options.axles, result.notes);
+  if (!result.axles.empty() && result.layout.rate < lowestRateOfArrivals) {
+    result.axles.clear();
+    result.notes.assign({"sampling at " + text::roundedText(result.layout.rate) +
+                         " Hz does not show which axle box moves first: events have no side, 4000 Hz show it"});
+  }
   SegmentCutter cutter(result.layout);
   Pipeline pipeline(result, options);
   const auto start = Clock::now();
@@ -196,7 +205,7 @@ RecordDetection findCandidates(records::RecordStream& stream, const DetectOption
   if (auto note = bandsNotShown(result.layout.rate); !note.empty()) result.layout.notes.push_back(std::move(note));
   result.faults = stream.faults();
   if (!result.cancelled) requireShare(result, read, options.leastShare);
-  result.notes = result.layout.notes;
+  result.notes.insert(result.notes.begin(), result.layout.notes.begin(), result.layout.notes.end());
   return result;
 }
 

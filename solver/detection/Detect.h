@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/Monitor.h"
+#include "detection/Axles.h"
 #include "detection/BackgroundSections.h"
 #include "detection/Event.h"
 #include "detection/SegmentEvents.h"
@@ -18,6 +19,7 @@ struct DetectOptions {
   double falseAlarms = 0.1;  // [1/km] of the background: what it reaches more often is no event
   int threads = 0;           // 0: all cores
   double leastShare = 0.9;   // of a record's samples that must be readable; below it FileError
+  AxleNames axles;           // of all records
   SurroundingsOptions surroundings;
 };
 
@@ -33,6 +35,7 @@ struct ChannelDetection {
 struct RecordDetection {
   records::RecordLayout layout;
   std::vector<ChannelDetection> channels;
+  std::vector<Axle> axles;
   std::vector<records::RecordFault> faults;
   std::vector<std::string> notes;
   double duration = 0, length = 0;  // [s], [m] that were analysed

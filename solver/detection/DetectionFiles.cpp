@@ -40,6 +40,9 @@ double withTwoDigits(double alarms) {
 // [m] of a stretch; else of the neighbourhood that is at least a tenth as loud.
 double extentOf(const Event& event) { return event.extent > 0 ? event.extent : event.features.reach; }
 
+// The largest value of the other axle box by that of this one.
+double otherSidePercent(const Event& event) { return event.peak > 0 ? 100 * event.otherPeak / event.peak : 0; }
+
 bool isSquat(const Event& event) { return event.kind == Kind::squat; }
 
 std::string head() {
@@ -49,7 +52,7 @@ std::string head() {
          ",wavelength [mm],length [mm],length low [mm],length high [mm],depth [mm],depth low [mm],"
          "depth high [mm],passes,passes there,latitude [deg],longitude [deg],false alarms [1/km],extent "
          "[m],light,moderate,"
-         "severe,reason,passage\n";
+         "severe,side,side sureness,other side [%],reason,passage\n";
 }
 
 // Of an event, by its row in the table. Empty for what is no squat.
@@ -110,6 +113,9 @@ std::string row(const DetectionReport& report, std::size_t index) {
   cells.push_back(event.extent > 0 ? "" : text::numberText(withTwoDigits(event.falseAlarms)));
   cells.push_back(text::fixedText(extentOf(event), 2));
   for (const double severity : judged.severities) cells.push_back(isSquat(event) ? text::fixedText(severity, 2) : "");
+  cells.push_back(event.side ? toText(event.side->side()) : "");
+  cells.push_back(event.side ? text::fixedText(event.side->sureness(), 2) : "");
+  cells.push_back(event.side ? text::fixedText(otherSidePercent(event), 0) : "");
   cells.push_back(event.reason);
   cells.push_back(passageFile(report, index));
   std::string text;
@@ -148,6 +154,11 @@ Json jsonOf(const DetectionReport& report, const CombinedEvent& combined) {
   if (std::isfinite(event.latitude)) json["latitude_deg"] = event.latitude, json["longitude_deg"] = event.longitude;
   json["extent_m"] = rounded(extentOf(event), 0.01);
   if (event.extent == 0) json["false_alarms_per_km"] = withTwoDigits(event.falseAlarms);
+  if (event.side) {
+    json["side"] = toText(event.side->side());
+    json["side_sureness"] = rounded(event.side->sureness(), 1e-2);
+    json["other_side_percent"] = rounded(otherSidePercent(event), 1);
+  }
   if (!event.reason.empty()) json["reason"] = event.reason;
   return json;
 }

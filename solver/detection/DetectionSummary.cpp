@@ -17,18 +17,22 @@ std::string rangeText(double value, double low, double high, double factor, cons
          formatted(format, factor * high) + ")";
 }
 
-std::vector<std::string> summaryCells(const Event& event) {
+std::string sideText(const Event& event) {
+  return event.side ? toText(event.side->side()) + formatted(" %.0f %%", 100 * event.side->sureness()) : "";
+}
+
+std::vector<std::string> summaryCells(const Event& event, bool withSides) {
   const bool isSquat = event.kind == Kind::squat;
   const auto& judged = event.judgement;
-  return {formatted("%.2f", event.position),
-          event.channel,
-          toText(event.kind),
-          formatted("%.0f %%", 100 * event.sureness),
-          isSquat ? toText(judged.severity) : event.reason,
-          isSquat ? rangeText(judged.length, judged.lengthLow, judged.lengthHigh, 1e3, "%.0f") : "",
-          isSquat ? rangeText(judged.depth, judged.depthLow, judged.depthHigh, 1e3, "%.2f") : "",
-          text::roundedText(event.peak),
-          std::to_string(event.passes) + " of " + std::to_string(event.passesThere)};
+  std::vector cells{formatted("%.2f", event.position), event.channel};
+  if (withSides) cells.push_back(sideText(event));
+  cells.insert(
+      cells.end(),
+      {toText(event.kind), formatted("%.0f %%", 100 * event.sureness), isSquat ? toText(judged.severity) : event.reason,
+       isSquat ? rangeText(judged.length, judged.lengthLow, judged.lengthHigh, 1e3, "%.0f") : "",
+       isSquat ? rangeText(judged.depth, judged.depthLow, judged.depthHigh, 1e3, "%.2f") : "",
+       text::roundedText(event.peak), std::to_string(event.passes) + " of " + std::to_string(event.passesThere)});
+  return cells;
 }
 
 }  // namespace
@@ -60,9 +64,13 @@ std::string detectionSummary(const DetectionReport& report) {
   for (const auto& note : report.notes) text += note + "\n";
   text += "\n";
   if (report.events.empty()) return text + "nothing that stands out of its surroundings\n";
-  text::TextTable table(
-      {"position [m]", "channel", "kind", "sure", "severity", "length [mm]", "depth [mm]", "peak [m/s²]", "passes"});
-  for (const auto& combined : report.events) table.add(summaryCells(combined.event));
+  const bool withSides = std::any_of(report.events.begin(), report.events.end(),
+                                     [](const CombinedEvent& combined) { return combined.event.side.has_value(); });
+  std::vector<std::string> heads{"position [m]", "channel"};
+  if (withSides) heads.emplace_back("side");
+  heads.insert(heads.end(), {"kind", "sure", "severity", "length [mm]", "depth [mm]", "peak [m/s²]", "passes"});
+  text::TextTable table(heads);
+  for (const auto& combined : report.events) table.add(summaryCells(combined.event, withSides));
   return text + table.text();
 }
 

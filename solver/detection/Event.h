@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "detection/AxleSides.h"
 #include "detection/EventFeatures.h"
 #include "detection/Examples.h"
 #include "detection/Label.h"
@@ -21,6 +22,9 @@ struct Event {
   double falseAlarms = 0;              // [1/km] how often the background alone makes as much (EvidenceTail.h)
   double peak = 0;                     // [unit] largest absolute value around, up to 2 kHz
   EventFeatures features;
+  std::optional<FirstArrival> arrival;  // of this axle box and the other one of the wheelset; nothing: not known
+  double otherPeak = 0;                 // [unit] as `peak`, of the other axle box
+  std::optional<SideJudgement> side;    // once it is judged, where `arrival` is known
   Judgement judgement;
   Kind kind = Kind::other;
   double sureness = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "detection/EventFeatures.h"
@@ -28,6 +29,8 @@ struct Example {
   std::array<double, bandCount> energy{};  // [m2/s3] in the event's window
   double before = 0, reach = 0;            // as in EventFeatures
   SquatForm form;                          // of a squat
+  // [m2/s3] FirstArrival's energies of this side and the other, of a defect on one rail alone; nothing: not known.
+  std::optional<std::array<double, 2>> arrival = {};
 };
 
 }  // namespace squat::detection

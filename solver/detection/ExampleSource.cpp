@@ -10,6 +10,7 @@
 #include "core/DurableFile.h"
 #include "detection/ChannelNotes.h"
 #include "detection/MakeExamples.h"
+#include "detection/Sides.h"
 #include "detection/Stretches.h"
 
 namespace squat::detection {
@@ -20,6 +21,7 @@ namespace {
 constexpr double kOwnSpread = 0.12, kOwnCommonSpread = 0.05, kOwnSizeSpread = 0.2;
 constexpr double kLabelWeight = 5;
 
+std::string sideExamples() { return (cases::resourcesFolder() / "detection/side-examples.csv").string(); }
 std::string generalExamples() { return (cases::resourcesFolder() / "detection/examples.csv").string(); }
 
 // Median speed of the records' events, or 0: what examples are computed at.
@@ -171,6 +173,8 @@ std::optional<ExampleSource> exampleSource(const SourceOptions& options, std::ve
                        : options.examplesFile;
   }
   source.sizes = SizeModel(source.examples);
+  if (std::any_of(records.begin(), records.end(), [](const auto& record) { return !record.axles.empty(); }))
+    source.sides = AxleSides(readExamples(sideExamples()));
   if (isOfOneVehicle(source.examples)) source.own = source.examples;
   if (!source.sizes.isKnown()) source.sizes = SizeModel(readExamples(generalExamples()));
   std::vector<Example> earlier;
@@ -203,6 +207,7 @@ std::optional<DetectionReport> judged(std::vector<RecordDetection> records, cons
   const Judge judge(source.examples, source.judgement, source.sizes, source.own);
   for (auto& record : report.records)
     if (!judgeCandidates(record, judge, options, monitor)) return std::nullopt;
+  for (auto& record : report.records) judgeSides(record, source.sides);
   if (before) report.notes.push_back(changesText(changesBetween(*before, report.records)));
   report.events = combine(report.records);
   addStretchesAndNotes(report, options);

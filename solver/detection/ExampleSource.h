@@ -31,6 +31,7 @@ struct ExampleSource {
   SizeModel sizes;             // of many vehicles
   std::vector<Example> own;    // passages of the records' own vehicle: of its case, of a table of one vehicle, labels
   std::string words;           // where they come from, and how many labels match no event
+  AxleSides sides;             // by the shipped passages over defects on one rail
   std::size_t fromLabels = 0, ownFromLabels = 0;  // of `examples` and of `own`, at their ends, learned ones included
   std::vector<Example> learned;                   // from labels, earlier ones and these
 };

@@ -1,5 +1,6 @@
 #include "detection/Examples.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
@@ -14,16 +15,19 @@ namespace {
 
 constexpr std::size_t fixedColumns = 7;
 constexpr std::size_t formColumn = fixedColumns + bandCount + 2;  // tables of version 0.2 and earlier end here
-constexpr std::size_t columns = formColumn + 5;
+constexpr std::size_t arrivalColumn = formColumn + 5;             // of tables without whole models, the end
+constexpr std::size_t columns = arrivalColumn + 2;
 constexpr std::array shapeNames{std::pair{scenario::DefectShape::cosine, "cosine"},
                                 std::pair{scenario::DefectShape::wshape, "w-shape"},
                                 std::pair{scenario::DefectShape::dipWithWave, "dip-with-wave"},
                                 std::pair{scenario::DefectShape::profile, "profile"}};
 
-std::string headLine() {
+std::string headLine(bool withArrivals) {
   std::string head = "kind,vehicle,length [mm],depth [mm],speed [m/s],offset [mm],weight";
   for (const auto& band : detectionBands()) head += ",energy " + band.name + " [m2/s3]";
-  return head + ",before,reach [m],shape,middle height,wave length [mm],wave depth [mm],waves\n";
+  head += ",before,reach [m],shape,middle height,wave length [mm],wave depth [mm],waves";
+  if (withArrivals) head += ",first arrival [m2/s3],first arrival other side [m2/s3]";
+  return head + '\n';
 }
 
 double numberAt(const std::vector<std::string>& row, std::size_t column, const std::string& path, std::size_t line) {
@@ -75,6 +79,11 @@ Example exampleFrom(const std::vector<std::string>& row, const std::string& path
   example.before = number(fixedColumns + bandCount);
   example.reach = number(fixedColumns + bandCount + 1);
   example.form = formFrom(row, path, line);
+  if (row.size() == columns && !row[arrivalColumn].empty()) {
+    example.arrival = {number(arrivalColumn), number(arrivalColumn + 1)};
+    if (!((*example.arrival)[0] > 0 && (*example.arrival)[1] > 0))
+      throw FileError(path, "line " + std::to_string(line), "the energies of the first arrival must be above zero");
+  }
   if (!(example.speed > 0) || !(example.weight >= 0))
     throw FileError(path, "line " + std::to_string(line), "the speed must be above zero and the weight not below it");
   return example;
@@ -83,15 +92,19 @@ Example exampleFrom(const std::vector<std::string>& row, const std::string& path
 }  // namespace
 
 std::string examplesText(const std::vector<Example>& examples) {
-  std::string text = headLine();
+  const bool withArrivals = std::any_of(examples.begin(), examples.end(), [](const Example& e) { return !!e.arrival; });
+  std::string text = headLine(withArrivals);
   for (const auto& example : examples) {
     text += toText(example.kind) + ',' + text::csvField(example.vehicle);
     for (const double value :
          {1e3 * example.length, 1e3 * example.depth, example.speed, 1e3 * example.offset, example.weight})
       text += ',' + text::numberText(value);
     for (const double value : example.energy) text += ',' + text::numberText(value);
-    text += ',' + text::numberText(example.before) + ',' + text::numberText(example.reach) + ',' +
-            formText(example.form) + '\n';
+    text +=
+        ',' + text::numberText(example.before) + ',' + text::numberText(example.reach) + ',' + formText(example.form);
+    for (std::size_t k = 0; withArrivals && k < 2; ++k)
+      text += ',' + (example.arrival ? text::numberText((*example.arrival)[k]) : std::string());
+    text += '\n';
   }
   return text;
 }
@@ -102,9 +115,11 @@ std::vector<Example> readExamples(const std::string& path) {
   std::vector<Example> examples;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i].size() == 1 && rows[i][0].empty()) continue;
-    if (rows[i].size() != columns && rows[i].size() != formColumn)
+    const auto fields = rows[i].size();
+    if (fields != columns && fields != arrivalColumn && fields != formColumn)
       throw FileError(path, "line " + std::to_string(i + 1),
-                      "has " + std::to_string(rows[i].size()) + " fields, must be " + std::to_string(columns),
+                      "has " + std::to_string(fields) + " fields, must be " + std::to_string(arrivalColumn) + " or " +
+                          std::to_string(columns),
                       "Make the table again with squat examples");
     examples.push_back(exampleFrom(rows[i], path, i + 1));
   }

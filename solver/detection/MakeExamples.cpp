@@ -8,6 +8,7 @@
 
 #include "case/CaseFile.h"
 #include "case/ParameterTable.h"
+#include "case/RightSide.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "detection/ExampleDefects.h"
@@ -50,6 +51,11 @@ scenario::Defect defectOf(const ExampleDefect& example) {
   if (own.shape == scenario::DefectShape::dipWithWave)
     defect.waveLength = own.waveLength, defect.waveDepth = own.waveDepth, defect.waveCount = own.waveCount;
   return defect;
+}
+
+// The other axle box of a whole model tells of the other rail only where that has no defect.
+bool isOnLeftAlone(const cases::CaseDescription& description) {
+  return cases::rightOf(description).defect.shape == scenario::DefectShape::none;
 }
 
 // A flat is on the wheel; crushed ballast lies below the two sleepers between which the defect is.
@@ -129,6 +135,7 @@ class Runs {
       if (result.complete) {
         example = exampleOf(result, defect.kind, defect.length, defect.depth);
         example->form = defect.form();
+        if (defect.kind == Kind::flat || !isOnLeftAlone(description)) example->arrival.reset();
         if (!options_.passages.empty()) keepPassage(result, *example, index);
       }
     } catch (const std::exception& error) {
@@ -143,13 +150,16 @@ class Runs {
     const auto passage = signals::passageOf(result, signals::names::axleBox);
     std::vector<double> time;
     for (std::size_t i = 0; i < passage.series.values.size(); ++i) time.push_back(passage.series.timeAt(i));
+    std::vector<std::string> names{"time [s]", "position [m]", "aba [m/s2]"};
+    std::vector<const std::vector<double>*> columns{&time, &passage.position, &passage.series.values};
+    if (const auto* right = result.signal(signals::names::axleBoxRight))
+      names.emplace_back("aba_right [m/s2]"), columns.push_back(right);
     const std::string kind = toText(example.kind), number = std::to_string(index + 1);
     writeDurably(options_.passages + "/" + kind + "-" + std::string(3 - std::min<std::size_t>(3, number.size()), '0') +
                      number + ".csv",
                  "# " + kind + ", " + text::fixedText(example.length * 1e3, 2) + " mm x " +
                      text::fixedText(example.depth * 1e3, 4) + " mm, " + text::fixedText(example.speed, 3) + " m/s\n" +
-                     text::csvColumns({"time [s]", "position [m]", "aba [m/s2]"},
-                                      {&time, &passage.position, &passage.series.values}));
+                     text::csvColumns(names, columns));
   }
 
   // Another track or wheel is not that of the warm state, and a hump may be felt ahead of it: such a case runs whole.
@@ -193,7 +203,12 @@ Example exampleOf(const results::RunResult& result, Kind kind, double length, do
   Example example;
   example.kind = kind;
   example.length = length, example.depth = depth;
-  const auto features = passageFeatures(passage.series, passage.position, example.offset);
+  std::optional<signals::TimeSeries> right;
+  if (result.signal(signals::names::axleBoxRight)) right = signals::seriesOf(result, signals::names::axleBoxRight);
+  const auto found = passageFeatures(passage.series, passage.position, right ? &*right : nullptr);
+  const auto& features = found.features;
+  example.offset = found.offset;
+  if (found.arrival) example.arrival = found.arrival->energy;
   example.speed = features.speed;
   example.energy = features.energy;
   example.before = features.before, example.reach = features.reach;

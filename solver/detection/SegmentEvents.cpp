@@ -51,10 +51,23 @@ std::vector<bool> silentCells(const signals::TimeSeries& series, const BandPower
   return silent;
 }
 
+double peakAround(const Segment& segment, std::size_t channel, std::size_t sample) {
+  const auto& series = segment.channels[channel];
+  const auto near = static_cast<std::size_t>(0.3 / (segment.speed[sample] * series.step));
+  double peak = 0;
+  for (std::size_t i = sample > near ? sample - near : 0; i < std::min(series.values.size(), sample + near); ++i)
+    peak = std::max(peak, std::abs(series.values[i]));
+  return peak;
+}
+
+std::size_t sampleOf(const BandPower& power, std::size_t cell, const signals::TimeSeries& series) {
+  return std::min(series.values.size() - 1, cell * power.cell + power.cell / 2);
+}
+
 Event eventAt(const Segment& segment, std::size_t channel, const std::vector<double>& travelled, const BandPower& power,
               const Candidate& candidate) {
   const auto& series = segment.channels[channel];
-  const auto sample = std::min(series.values.size() - 1, candidate.anchor * power.cell + power.cell / 2);
+  const auto sample = sampleOf(power, candidate.anchor, series);
   Event event;
   event.channel = series.name, event.unit = series.unit;
   event.time = series.timeAt(sample);
@@ -73,9 +86,7 @@ Event eventAt(const Segment& segment, std::size_t channel, const std::vector<dou
                     series.values.begin() + static_cast<std::ptrdiff_t>(to)},
                    series.name,
                    series.unit};
-  const auto near = static_cast<std::size_t>(0.3 / perSample);
-  for (std::size_t i = sample > near ? sample - near : 0; i < std::min(series.values.size(), sample + near); ++i)
-    event.peak = std::max(event.peak, std::abs(series.values[i]));
+  event.peak = peakAround(segment, channel, sample);
   return event;
 }
 
@@ -119,9 +130,40 @@ std::size_t passageAnchor(const BandPower& power, const Evidence& silence) {
   return anchorIn(power, silence.level, loudest > half ? loudest - half : 0, std::min(sum.size(), loudest + half));
 }
 
+// With silence on both sides, longer than the longest wavelet; the end of the record fades into it.
+Segment inSilence(const signals::TimeSeries& passage, const std::vector<double>& position,
+                  const signals::TimeSeries* other) {
+  const std::size_t n = passage.values.size();
+  const double speed = (position.back() - position.front()) / (passage.step * static_cast<double>(n - 1));
+  const auto pad = static_cast<std::size_t>(std::max(0.1, 2.0 / speed) / passage.step);
+  const std::size_t fade = n / 20;
+  records::RecordLayout layout;
+  layout.rate = passage.rate();
+  records::RecordBlock block;
+  block.time = passage.start - passage.step * static_cast<double>(pad);
+  for (const auto* each : {&passage, other}) {
+    if (!each) continue;
+    layout.channels.push_back({each->name, each->unit});
+    auto& values = block.values.emplace_back(n + 2 * pad, 0.0);
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t toEnd = n - 1 - i;
+      const double gain = toEnd < fade ? static_cast<double>(toEnd) / static_cast<double>(fade) : 1.0;
+      values[pad + i] = gain * each->values[i];
+    }
+  }
+  block.speed.assign(n + 2 * pad, speed);
+  for (std::size_t i = 0; i < n + 2 * pad; ++i)
+    block.position.push_back(position.front() +
+                             speed * passage.step * (static_cast<double>(i) - static_cast<double>(pad)));
+  SegmentCutter cutter(layout);
+  cutter.push(block);
+  return std::move(cutter.finish().front());
+}
+
 }  // namespace
 
-SegmentEvents segmentEvents(const Segment& segment, std::size_t channel, double threshold) {
+SegmentEvents segmentEvents(const Segment& segment, std::size_t channel, double threshold,
+                            std::optional<std::size_t> other) {
   SegmentEvents found;
   const auto& series = segment.channels[channel];
   if (isStill(series)) {
@@ -139,45 +181,31 @@ SegmentEvents segmentEvents(const Segment& segment, std::size_t channel, double 
     if (time < segment.coreStart || time >= segment.coreEnd || speed[candidate.anchor] < minimumSpeed) continue;
     auto event = eventAt(segment, channel, travelled, power, candidate);
     event.features = eventFeatures(power, evidence, series.rate(), speed, travelled, candidate.anchor);
+    if (other) {
+      const auto sample = sampleOf(power, candidate.anchor, series);
+      event.arrival = firstArrival(series, segment.channels[*other], sample, speed[candidate.anchor]);
+      event.otherPeak = peakAround(segment, *other, sample);
+    }
     found.events.push_back(std::move(event));
   }
   return found;
 }
 
-EventFeatures passageFeatures(const signals::TimeSeries& passage, const std::vector<double>& position, double& offset) {
-  const std::size_t n = passage.values.size();
-  const double speed = (position.back() - position.front()) / (passage.step * static_cast<double>(n - 1));
-  // Silence on both sides, longer than the longest wavelet; the end of the record fades into it.
-  const auto pad = static_cast<std::size_t>(std::max(0.1, 2.0 / speed) / passage.step);
-  const std::size_t fade = n / 20;
-  std::vector<double> values(n + 2 * pad, 0.0);
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t toEnd = n - 1 - i;
-    const double gain = toEnd < fade ? static_cast<double>(toEnd) / static_cast<double>(fade) : 1.0;
-    values[pad + i] = gain * passage.values[i];
-  }
-  Segment segment;
-  records::RecordLayout layout;
-  layout.rate = passage.rate();
-  layout.channels = {{passage.name, passage.unit}};
-  records::RecordBlock block;
-  block.time = passage.start - passage.step * static_cast<double>(pad);
-  block.values = {values};
-  block.speed.assign(values.size(), speed);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    block.position.push_back(position.front() +
-                             speed * passage.step * (static_cast<double>(i) - static_cast<double>(pad)));
-  SegmentCutter cutter(layout);
-  cutter.push(block);
-  segment = std::move(cutter.finish().front());
-  const auto power = bandPower(segment.channels.front());
-  const auto cells = atCells(segment.speed, power);
-  const auto travelled = travelledBy(cells, power.step);
+PassageFeatures passageFeatures(const signals::TimeSeries& passage, const std::vector<double>& position,
+                                const signals::TimeSeries* other) {
+  const auto segment = inSilence(passage, position, other);
+  const auto& series = segment.channels.front();
+  const auto power = bandPower(series);
+  const auto speed = atCells(segment.speed, power);
   Evidence silence;
   silence.level.assign(bandCount, std::vector<double>(power.cells(), 0.0));
   const std::size_t anchor = passageAnchor(power, silence);
-  offset = atCells(segment.position, power)[anchor];
-  return eventFeatures(power, silence, segment.channels.front().rate(), cells, travelled, anchor);
+  PassageFeatures found;
+  found.features = eventFeatures(power, silence, series.rate(), speed, travelledBy(speed, power.step), anchor);
+  found.offset = atCells(segment.position, power)[anchor];
+  if (other)
+    found.arrival = firstArrival(series, segment.channels.back(), sampleOf(power, anchor, series), speed[anchor]);
+  return found;
 }
 
 }  // namespace squat::detection

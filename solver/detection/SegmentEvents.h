@@ -1,6 +1,7 @@
 // solver/detection/SegmentEvents.h - the events of one channel of one segment, not yet judged.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "detection/Event.h"
@@ -25,10 +26,19 @@ struct SegmentEvents {
 
 inline constexpr double pieceLength = 1;  // [m]
 
-SegmentEvents segmentEvents(const Segment& segment, std::size_t channel, double threshold);
+// `other`: the channel of the other axle box of the same wheelset, where there is one.
+SegmentEvents segmentEvents(const Segment& segment, std::size_t channel, double threshold,
+                            std::optional<std::size_t> other = {});
 
-// The features of a passage over one defect, without noise: `position` [m] at each sample, zero at the deepest point;
-// `offset` [m] gets the anchor's position. Throws SignalError.
-EventFeatures passageFeatures(const signals::TimeSeries& passage, const std::vector<double>& position, double& offset);
+struct PassageFeatures {
+  EventFeatures features;
+  double offset = 0;                    // [m] position of the anchor
+  std::optional<FirstArrival> arrival;  // where the other axle box is known
+};
+
+// The features of a passage over one defect, without noise: `position` [m] at each sample, zero at the deepest point.
+// `other`: the signal of the other axle box on the same time axis; null: not known. Throws SignalError.
+PassageFeatures passageFeatures(const signals::TimeSeries& passage, const std::vector<double>& position,
+                                const signals::TimeSeries* other = nullptr);
 
 }  // namespace squat::detection

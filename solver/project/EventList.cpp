@@ -32,6 +32,10 @@ ListedEvent eventIn(const JsonNode& node, const std::vector<std::string>& record
   constexpr int maximumPasses = 1000000;
   event.passes = node.at("passes").whole(0, maximumPasses);
   event.passesThere = node.at("passes_there").whole(0, maximumPasses);
+  if (node.has("side")) {
+    event.side = node.at("side").text();
+    event.sideSureness = node.at("side_sureness").number(0, 1);
+  }
   if (!node.has("severity")) return event;
   event.severity = node.at("severity").text();
   const auto take = [&](const char* key, double& value, double& low, double& high) {

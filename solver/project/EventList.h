@@ -21,6 +21,8 @@ struct ListedEvent {
   double length = 0, lengthLow = 0, lengthHigh = 0;
   double depth = 0, depthLow = 0, depthHigh = 0;
   std::array<double, 3> severities{};  // probability of light, moderate, severe; zeros: an older list has none
+  std::string side;                    // "left", "right", "both" of a wheelset with two channels; else empty
+  double sideSureness = 0;             // 0..1
   double extent = 0;                   // [m] of a stretch of corrugation; else 0
   int passes = 1, passesThere = 1;
 };

@@ -13,6 +13,7 @@ namespace squat::signals {
 namespace names {
 inline constexpr const char* axleBox = "aba";
 inline constexpr const char* axleBoxFiltered = "aba_filtered";
+inline constexpr const char* axleBoxRight = "aba_right";  // of a whole model
 inline constexpr const char* axleBoxLongitudinal = "aba_longitudinal";
 inline constexpr const char* axleBoxLateral = "aba_lateral";
 inline constexpr const char* secondAxleBox = "second_aba";

@@ -31,8 +31,12 @@ RecordDetection sample() {
   event.score = 99, event.peak = 1e-300;
   event.features.speed = 30, event.features.energy[5] = 0.1, event.features.freedom[0] = 4;
   event.features.wavelength = 0.029;
+  event.arrival = FirstArrival{{1.0 / 3.0, 2}, {0.1, 0}}, event.otherPeak = 0.25;
   event.passage = {0.25, 4e-5, {1, -2.5, 1.0 / 3.0}, "left", "m/s2"};
-  found.channels.push_back({"left", {event}, {{12345, 1, 2}}, 0});
+  auto alone = event;
+  alone.arrival.reset();
+  found.channels.push_back({"left", {event, alone}, {{12345, 1, 2}}, 0});
+  found.axles = {{0, 1}};
   return found;
 }
 
@@ -62,7 +66,14 @@ TEST_F(CandidateFileTest, EveryNumberComesBack) {
   EXPECT_EQ(read->faults[0].channel, -1);
   EXPECT_EQ(read->faults[0].position, 1.0 / 3.0);
   EXPECT_EQ(read->length, 75);
-  ASSERT_EQ(read->channels.at(0).events.size(), 1U);
+  ASSERT_EQ(read->channels.at(0).events.size(), 2U);
+  ASSERT_TRUE(read->channels[0].events[0].arrival);
+  EXPECT_EQ(read->channels[0].events[0].arrival->energy[0], 1.0 / 3.0);
+  EXPECT_EQ(read->channels[0].events[0].arrival->noise[0], 0.1);
+  EXPECT_EQ(read->channels[0].events[0].otherPeak, 0.25);
+  EXPECT_FALSE(read->channels[0].events[1].arrival);
+  ASSERT_EQ(read->axles.size(), 1U);
+  EXPECT_EQ(read->axles[0].right, 1U);
   const auto& event = read->channels[0].events[0];
   EXPECT_EQ(event.time, 1.0 / 7.0);
   EXPECT_TRUE(std::isnan(event.latitude));

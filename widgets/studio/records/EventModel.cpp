@@ -43,6 +43,18 @@ Severity severityFromText(const std::string& text) {
   throw CaseError({{"severity", text, "light, moderate or severe", ""}});
 }
 
+// The list has the probability of this side alone; the others share what is left.
+detection::SideJudgement sideFromText(const std::string& text, double sureness) {
+  using enum detection::RailSide;
+  detection::SideJudgement judged;
+  for (const auto side : {left, right, both}) {
+    judged.probability.fill(0.5 * (1 - sureness));
+    judged.probability[static_cast<std::size_t>(side)] = sureness;
+    if (text == detection::toText(side)) return judged;
+  }
+  throw CaseError({{"side", text, "left, right or both", ""}});
+}
+
 detection::CombinedEvent eventOf(const project::ListedEvent& listed, std::size_t record) {
   detection::CombinedEvent combined{{}, {record}, 0};
   auto& event = combined.event;
@@ -56,6 +68,7 @@ detection::CombinedEvent eventOf(const project::ListedEvent& listed, std::size_t
   event.passes = static_cast<std::size_t>(listed.passes);
   event.passesThere = static_cast<std::size_t>(listed.passesThere);
   event.extent = listed.extent;
+  if (!listed.side.empty()) event.side = sideFromText(listed.side, listed.sideSureness);
   if (event.kind != Kind::squat) return combined;
   event.judgement.severity = severityFromText(listed.severity);
   auto& judged = event.judgement;
@@ -162,6 +175,11 @@ QString EventModel::text(int row, int column) const {
                                        : QString::fromStdString(event.reason);
     case channel:
       return QString::fromStdString(event.channel);
+    case side:
+      return event.side ? tr("%1 %2 %")
+                              .arg(QString::fromStdString(detection::toText(event.side->side())))
+                              .arg(100 * event.side->sureness(), 0, 'f', 0)
+                        : QString();
     case passes:
       return tr("%1 of %2").arg(event.passes).arg(event.passesThere);
     case sureness:
@@ -179,7 +197,8 @@ QString EventModel::text(int row, int column) const {
 
 QVariant EventModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  const bool isText = index.column() == kind || index.column() == channel || index.column() == seen;
+  const bool isText =
+      index.column() == kind || index.column() == channel || index.column() == side || index.column() == seen;
   switch (role) {
     case Qt::DisplayRole:
     case Qt::EditRole:
@@ -200,13 +219,13 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant EventModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  static const QStringList names{"position", "kind",    "severity", "length",   "depth",  "peak",
-                                 "speed",    "channel", "passes",   "sureness", "seen_as"};
+  static const QStringList names{"position", "kind",    "severity", "length", "depth",    "peak",
+                                 "speed",    "channel", "side",     "passes", "sureness", "seen_as"};
   if (orientation == Qt::Horizontal && role == columnNameRole) return names.value(section);
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   static const QStringList heads{tr("Position\n[m]"), tr("Kind"),         tr("Severity"),     tr("Length\n[mm]"),
                                  tr("Depth\n[mm]"),   tr("Peak\n[m/s²]"), tr("Speed\n[m/s]"), tr("Channel"),
-                                 tr("Passes"),        tr("Sure"),         tr("Label")};
+                                 tr("Side"),          tr("Passes"),       tr("Sure"),         tr("Label")};
   return heads.value(section);
 }
 

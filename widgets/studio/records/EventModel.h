@@ -22,7 +22,7 @@ ReportPointer reportOf(const project::EventList& list, const std::vector<std::st
 class EventModel : public QAbstractTableModel {
   Q_OBJECT
  public:
-  enum Column { position, kind, severity, length, depth, peak, speed, channel, passes, sureness, seen, columns };
+  enum Column { position, kind, severity, length, depth, peak, speed, channel, side, passes, sureness, seen, columns };
   static constexpr int sortRole = Qt::UserRole;
 
   using QAbstractTableModel::QAbstractTableModel;

@@ -1,0 +1,115 @@
+#include "detection/Axles.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+#include "core/Errors.h"
+#include "text/Text.h"
+
+namespace squat::detection {
+namespace {
+
+enum class NamedSide { none, left, right };
+
+struct NameParts {
+  std::string rest;  // without the word for the side
+  NamedSide side = NamedSide::none;
+};
+
+NameParts partsOf(const std::string& name) {
+  NameParts parts;
+  const auto isWordEnd = [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); };
+  const auto lower = text::lowerCase(name);
+  for (auto from = lower.begin(); from != lower.end();) {
+    if (isWordEnd(*from)) {
+      ++from;
+      continue;
+    }
+    const auto to = std::find_if(from, lower.end(), isWordEnd);
+    const std::string word(from, to);
+    const bool isLeft = word == "left" || word == "l", isRight = word == "right" || word == "r";
+    if (isLeft || isRight)
+      parts.side = isLeft ? NamedSide::left : NamedSide::right;
+    else
+      parts.rest += word + ' ';
+    from = to;
+  }
+  return parts;
+}
+
+std::vector<Axle> foundByNames(const records::RecordLayout& layout, std::vector<std::string>& notes) {
+  std::map<std::string, std::map<NamedSide, std::vector<std::size_t>>> alike;
+  for (std::size_t c = 0; c < layout.channels.size(); ++c) {
+    const auto parts = partsOf(layout.channels[c].name);
+    alike[parts.rest][parts.side].push_back(c);
+  }
+  std::vector<Axle> axles;
+  for (auto& [rest, sides] : alike) {
+    auto& left = sides[NamedSide::left].empty() ? sides[NamedSide::none] : sides[NamedSide::left];
+    const auto& right = sides[NamedSide::right];
+    if (left.size() != 1 || right.size() != 1) continue;
+    axles.push_back({left.front(), right.front()});
+    notes.push_back("channels '" + layout.channels[left.front()].name + "' and '" +
+                    layout.channels[right.front()].name +
+                    "' are taken by their names for the left and the right axle box of one wheelset (option axle: "
+                    "others, or none)");
+  }
+  return axles;
+}
+
+std::size_t channelOf(const records::RecordLayout& layout, const std::string& name) {
+  std::string all;
+  for (std::size_t c = 0; c < layout.channels.size(); ++c) {
+    if (layout.channels[c].name == name) return c;
+    all += (all.empty() ? "" : ", ") + layout.channels[c].name;
+  }
+  throw FileError(layout.path, "", "has no channel '" + name + "', which the option axle names", "Its channels: " + all);
+}
+
+}  // namespace
+
+std::optional<std::size_t> otherChannel(const std::vector<Axle>& axles, std::size_t channel) {
+  for (const auto& axle : axles) {
+    if (axle.left == channel) return axle.right;
+    if (axle.right == channel) return axle.left;
+  }
+  return std::nullopt;
+}
+
+AxleNames axleNamesFromText(const std::vector<std::string>& texts) {
+  if (texts.empty()) return std::nullopt;
+  std::vector<std::pair<std::string, std::string>> names;
+  if (texts.size() == 1 && texts.front() == "none") return names;
+  for (const auto& one : texts) {
+    const auto comma = one.find(',');
+    const std::string left(text::trimmed(std::string_view(one).substr(0, comma)));
+    const std::string right(comma == std::string::npos ? "" : text::trimmed(std::string_view(one).substr(comma + 1)));
+    if (left.empty() || right.empty() || left == right || right.find(',') != std::string::npos)
+      throw CaseError({{"axle", one, "none, or LEFT,RIGHT: the names of two channels", ""}});
+    names.emplace_back(left, right);
+  }
+  return names;
+}
+
+std::vector<Axle> axlesOf(const records::RecordLayout& layout, const AxleNames& names,
+                          std::vector<std::string>& notes) {
+  if (!names) return foundByNames(layout, notes);
+  std::vector<Axle> axles;
+  std::vector<bool> isTaken(layout.channels.size(), false);
+  const auto take = [&](const std::string& name) {
+    const auto channel = channelOf(layout, name);
+    if (isTaken[channel])
+      throw FileError(layout.path, "", "has one channel '" + name + "', which the option axle names twice",
+                      "Name each channel once");
+    isTaken[channel] = true;
+    return channel;
+  };
+  for (const auto& [left, right] : *names) {
+    const auto first = take(left);
+    axles.push_back({first, take(right)});
+  }
+  return axles;
+}
+
+}  // namespace squat::detection

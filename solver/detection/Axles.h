@@ -1,0 +1,34 @@
+// solver/detection/Axles.h - which channels of a record are the two axle boxes of one wheelset.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "records/RecordStream.h"
+
+namespace squat::detection {
+
+// Indices of channels.
+struct Axle {
+  std::size_t left = 0, right = 0;
+};
+
+// Names of the left and the right channel of each axle. Empty list: every channel is judged by itself; nothing: axles
+// are found by the names of the channels.
+using AxleNames = std::optional<std::vector<std::pair<std::string, std::string>>>;
+
+// The other channel of the axle that a channel belongs to; nothing: of none.
+std::optional<std::size_t> otherChannel(const std::vector<Axle>& axles, std::size_t channel);
+
+// "none", or LEFT,RIGHT of each axle; an empty list gives nothing. Throws CaseError for other texts.
+AxleNames axleNamesFromText(const std::vector<std::string>& texts);
+
+// Without names, two channels are one axle where their names differ in the word left or l, right or r alone ("axle 1
+// left"), or where one has the word right more than the other ("aba", "aba_right"); a note says of each axle that it was
+// found by its names. Throws FileError for a name that no channel has, and for a channel of two axles.
+std::vector<Axle> axlesOf(const records::RecordLayout& layout, const AxleNames& names, std::vector<std::string>& notes);
+
+}  // namespace squat::detection
