@@ -12,9 +12,11 @@
 
 #include "case/ParameterTable.h"
 #include "case/RightSide.h"
+#include "results/RunResult.h"
 #include "studio/document/CaseDocument.h"
 #include "studio/document/ParameterForm.h"
 #include "studio/document/ParameterRow.h"
+#include "studio/document/ShownCase.h"
 
 namespace squat::studio {
 namespace {
@@ -269,6 +271,17 @@ TEST_F(WholeForm, theAxleLoadIsThatOfBothSides) {
   document_.setParameter("right.suspension.sprung_mass", "7000");
   EXPECT_EQ(other("suspension.sprung_mass"), "axle load 16.9 t (166 kN)");
   EXPECT_EQ(other("right.suspension.sprung_mass"), "axle load 16.9 t (166 kN)");
+}
+
+// Beside the curves stands in what their case differs from the open one.
+TEST_F(WholeForm, aResultOfAnotherRightSideSaysSo) {
+  results::RunResult result;
+  results::setCase(result, document_.description());
+  EXPECT_EQ(differenceOfCases(&result, document_.description()), "");
+  document_.setParameter("right.pad.stiffness", "800");
+  EXPECT_EQ(differenceOfCases(&result, document_.description()), "right.pad.stiffness differs");
+  document_.setParameter("right.defect.depth", "0.3");
+  EXPECT_EQ(differenceOfCases(&result, document_.description()), "right.defect.depth, right.pad.stiffness differ");
 }
 
 }  // namespace
