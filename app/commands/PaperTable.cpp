@@ -31,16 +31,20 @@ constexpr const char* kNone = "not available";
 using statements::PaperCase;
 
 // Why the paper's statements are not judged, for a case that is nearly the paper's.
-void addChangedKeys(std::vector<PaperRow>& rows, const PaperCase& nearest) {
+void addChangedKeys(std::vector<PaperRow>& rows, const PaperCase& nearest, const std::vector<std::string>& setByHand) {
   constexpr std::size_t listed = 3;
-  for (std::size_t i = 0; i < std::min(listed, nearest.changed.size()); ++i) {
-    const auto& one = nearest.changed[i];
+  auto changed = nearest.changed;
+  std::stable_partition(changed.begin(), changed.end(), [&](const auto& one) {
+    return std::find(setByHand.begin(), setByHand.end(), one.key) != setByHand.end();
+  });
+  for (std::size_t i = 0; i < std::min(listed, changed.size()); ++i) {
+    const auto& one = changed[i];
     rows.push_back(
         {"differs from " + nearest.name, one.key + " = " + one.ours, "paper's case: " + one.paper, "not judged"});
   }
-  if (nearest.changed.size() > listed)
+  if (const auto more = changed.size() - std::min(listed, changed.size()); more > 0)
     rows.push_back({"differs from " + nearest.name,
-                    "and " + std::to_string(nearest.changed.size() - listed) + " more keys", "", "not judged"});
+                    "and " + std::to_string(more) + (more == 1 ? " more key" : " more keys"), "", "not judged"});
 }
 
 void addPeak(std::vector<PaperRow>& rows, const RunResult& result, const char* channel, const char* what) {
@@ -178,9 +182,9 @@ std::optional<double> scalarNamed(const std::vector<results::Scalar>& list, cons
 namespace {
 
 std::vector<PaperRow> rowsOf(const RunResult& result, const statements::Reference& reference,
-                             const statements::RunJudgement& run) {
+                             const statements::RunJudgement& run, const std::vector<std::string>& setByHand) {
   std::vector<PaperRow> rows;
-  if (run.nearest) addChangedKeys(rows, *run.nearest);
+  if (run.nearest) addChangedKeys(rows, *run.nearest, setByHand);
   addPeak(rows, result, signals::names::axleBoxFiltered, "axle box acceleration, maximum / minimum");
   const auto addOther = [&](const char* channel, const char* what) {
     if (result.signal(channel)) addPeak(rows, result, channel, what);
@@ -210,16 +214,17 @@ bool missesALine(const std::vector<statements::Judged>& judged) {
 
 }  // namespace
 
-std::vector<PaperRow> paperRows(const RunResult& result) {
+std::vector<PaperRow> paperRows(const RunResult& result, const std::vector<std::string>& setByHand) {
   const auto reference = statements::installedReference();
-  return rowsOf(result, reference, statements::judgeRun(reference, result));
+  return rowsOf(result, reference, statements::judgeRun(reference, result), setByHand);
 }
 
-std::string paperTable(const RunResult& result) {
+std::string paperTable(const RunResult& result, const std::vector<std::string>& setByHand) {
   const auto reference = statements::installedReference();
   const auto run = statements::judgeRun(reference, result);
   TextTable table({result.stem, "this run", "paper or theory", ""});
-  for (const auto& row : rowsOf(result, reference, run)) table.add({row.what, row.ours, row.paper, row.verdict});
+  for (const auto& row : rowsOf(result, reference, run, setByHand))
+    table.add({row.what, row.ours, row.paper, row.verdict});
   auto text = table.text(kTerminalWidth) + reasonsText(run.judged);
   if (missesALine(run.judged) && !result.modes.empty())
     text += "\nA spectral line of the paper is not met. Natural modes of the free half wheelset, for comparison:\n" +

@@ -102,7 +102,9 @@ void printTables(const RunCommandOptions& options, const results::RunResult& res
   if (options.json) return;
   if (options.verbose) std::printf("%s\n", modesTable(result).c_str());
   if (options.verbose || options.timings) std::printf("%s\n", phasesTable(result).c_str());
-  std::printf("%s", paperTable(result).c_str());
+  std::vector<std::string> setByHand;
+  for (const auto& [key, value] : caseOverrides(options.caseOptions).values) setByHand.push_back(key);
+  std::printf("%s", paperTable(result, setByHand).c_str());
   std::fflush(stdout);
 }
 

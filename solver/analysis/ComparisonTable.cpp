@@ -28,8 +28,9 @@ std::string columnOf(const std::string& feature) {
   return shown ? feature : std::string();
 }
 
-std::string columnOf(const cases::Parameter& parameter) {
-  const std::string label = cases::shortLabel(parameter);
+std::string columnOf(std::size_t comparedRow) {
+  const auto& parameter = cases::comparedParameter(comparedRow);
+  const std::string label = cases::comparedLabel(comparedRow);
   const bool bare = parameter.unit.empty() || parameter.unit == "-" || cases::isList(parameter);
   return bare ? label : label + " [" + parameter.unit + "]";
 }
@@ -92,7 +93,7 @@ ComparisonTable comparisonTable(const std::vector<ComparedSignal>& signals) {
   const auto numbers = namesIn(signals, &ComparedSignal::numbers),
              likeness = namesIn(signals, &ComparedSignal::likeness);
   ComparisonTable table{{"signal"}, {}};
-  for (const std::size_t row : differing) table.columns.push_back(columnOf(cases::parameterTable()[row]));
+  for (const std::size_t row : differing) table.columns.push_back(columnOf(row));
   table.columns.insert(table.columns.end(), numbers.begin(), numbers.end());
   table.columns.insert(table.columns.end(), likeness.begin(), likeness.end());
   for (const auto& signal : signals) {

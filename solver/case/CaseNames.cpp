@@ -12,6 +12,7 @@
 #include "case/MeshPresets.h"
 #include "case/NamedTables.h"
 #include "case/ParameterValue.h"
+#include "case/RightSide.h"
 
 namespace squat::cases {
 
@@ -78,11 +79,16 @@ int importance(const Parameter& parameter) {
   return parameter.group == "mesh" || parameter.group == "output" ? 3 : 1;
 }
 
-// "depth 0.15", "cosine", "no coarse web".
-std::string named(const Parameter& parameter, const std::string& shown) {
-  if (parameter.key == "mesh.preset" || parameter.key == "defect.shape" || isList(parameter)) return shown;
-  if (parameter.kind == Kind::boolean) return (shown == "true" ? "" : "no ") + shortLabel(parameter);
-  return shortLabel(parameter) + " " + shown;
+bool isRowOfRight(std::size_t row) { return row >= parameterTable().size(); }
+
+// "depth 0.15", "cosine", "no coarse web", "right depth 0.3", "right shape none".
+std::string named(std::size_t row, const std::string& shown) {
+  const auto& parameter = comparedParameter(row);
+  const bool isShape = parameter.key == "defect.shape" && !isRowOfRight(row);
+  if (isList(parameter)) return (isRowOfRight(row) ? "right " : "") + shown;
+  if (parameter.key == "mesh.preset" || isShape) return shown;
+  if (parameter.kind == Kind::boolean) return (shown == "true" ? "" : "no ") + comparedLabel(row);
+  return comparedLabel(row) + " " + shown;
 }
 
 std::string suggestedName(const CaseToName& one, const std::vector<std::size_t>& rows, bool withStem) {
@@ -92,7 +98,7 @@ std::string suggestedName(const CaseToName& one, const std::vector<std::size_t>&
     const std::string& shown = (*one.values)[row].shown;
     if (shown.empty() || count == maximumNamed) continue;
     ++count;
-    name += (name.empty() ? "" : ", ") + named(parameterTable()[row], shown);
+    name += (name.empty() ? "" : ", ") + named(row, shown);
   }
   return name.empty() ? one.stem : name;
 }
@@ -110,18 +116,39 @@ void makeUnique(std::vector<std::string>& names) {
 ComparedCase comparedCase(const CaseDescription& description) {
   ComparedCase values;
   for (const auto& parameter : parameterTable()) values.push_back(comparedValue(description, parameter));
+  values.resize(2 * parameterTable().size());
+  if (description.extent == ModelExtent::half) return values;
+  const auto right = rightOf(description);
+  for (const auto& [key, text] : description.right) {
+    const auto& parameter = *findParameter(key);
+    const auto left = static_cast<std::size_t>(&parameter - parameterTable().data());
+    auto value = comparedValue(right, parameter);
+    if (value.identity != values[left].identity) values[parameterTable().size() + left] = std::move(value);
+  }
   return values;
+}
+
+const Parameter& comparedParameter(std::size_t row) {
+  return parameterTable()[isRowOfRight(row) ? row - parameterTable().size() : row];
+}
+
+std::string comparedKey(std::size_t row) {
+  return (isRowOfRight(row) ? std::string(rightGroup) + "." : "") + comparedParameter(row).key;
+}
+
+std::string comparedLabel(std::size_t row) {
+  return (isRowOfRight(row) ? "right " : "") + shortLabel(comparedParameter(row));
 }
 
 std::vector<std::size_t> differingRows(const std::vector<const ComparedCase*>& cases) {
   std::vector<std::size_t> rows;
   if (cases.empty()) return rows;
-  for (std::size_t row = 0; row < parameterTable().size(); ++row)
+  for (std::size_t row = 0; row < cases[0]->size(); ++row)
     if (std::any_of(cases.begin(), cases.end(),
                     [&](const auto* each) { return (*each)[row].identity != (*cases[0])[row].identity; }))
       rows.push_back(row);
   std::stable_sort(rows.begin(), rows.end(), [](std::size_t a, std::size_t b) {
-    return importance(parameterTable()[a]) < importance(parameterTable()[b]);
+    return importance(comparedParameter(a)) < importance(comparedParameter(b));
   });
   return rows;
 }

@@ -15,12 +15,17 @@ struct ComparedValue {
   std::string shown;  // of a list: its extent, "0.15 deep, 40 long"
 };
 
-// One value a row of parameterTable(). Made once a case: comparing them is cheap.
+// One value a row of parameterTable(), then one a row again for what a whole model has on its right side other than on
+// its left one. Made once a case: comparing them is cheap.
 using ComparedCase = std::vector<ComparedValue>;
 ComparedCase comparedCase(const CaseDescription& description);
 
-// Rows of parameterTable() that are not the same in all cases: defect first, then in the table's order, mesh and output
-// last.
+// Whose value stands in such a row: a key of the table, "right.defect.depth" in the second half.
+const Parameter& comparedParameter(std::size_t row);
+std::string comparedKey(std::size_t row);
+std::string comparedLabel(std::size_t row);  // "depth", "right depth"
+
+// Rows that are not the same in all cases: defect first, then in the table's order, mesh and output last.
 std::vector<std::size_t> differingRows(const std::vector<const ComparedCase*>& cases);
 
 // The words of a key as they are printed: "young_modulus" is "Young's modulus", "sleeper_spacing" "sleeper spacing".

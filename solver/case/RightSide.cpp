@@ -5,6 +5,7 @@
 
 #include "case/Applicability.h"
 #include "case/BeforeDefect.h"
+#include "case/NamedTables.h"
 #include "case/ParameterValue.h"
 
 namespace squat::cases {
@@ -85,6 +86,20 @@ std::optional<CaseProblem> trySetRight(CaseDescription& description, std::string
                                    [&](const auto& one) { return findParameter(one.first) > &parameter; });
   stated.emplace(behind, key, valueText(right, parameter));
   return std::nullopt;
+}
+
+bool isStatedOnRight(const CaseDescription& description, std::string_view key) {
+  return std::any_of(description.right.begin(), description.right.end(),
+                     [&](const auto& stated) { return stated.first == key; });
+}
+
+void setAsLeft(CaseDescription& description, std::string_view key) {
+  const auto* table = namedTable(std::string(key));
+  const auto goes = [&](const std::string& stated) {
+    const auto isStated = [&](const auto& values) { return values == stated; };
+    return stated == key || (table && std::any_of(table->valueKeys.begin(), table->valueKeys.end(), isStated));
+  };
+  std::erase_if(description.right, [&](const auto& stated) { return goes(stated.first); });
 }
 
 std::string reasonWithoutRight(const CaseDescription& description, const Parameter& parameter) {

@@ -36,6 +36,10 @@ inline CaseDescription sideOf(const CaseDescription& description, std::string_vi
 }
 // Sets a key of the right side, named as on the left, as trySetValue does. Stated keys stand in the order of the table.
 std::optional<CaseProblem> trySetRight(CaseDescription& description, std::string_view key, const std::string& text);
+// Whether the case itself states this key of the right side, named as on the left.
+bool isStatedOnRight(const CaseDescription& description, std::string_view key);
+// The right side again as the left one in this key. With the name of a file go the numbers that are from it.
+void setAsLeft(CaseDescription& description, std::string_view key);
 
 // Why a key of the right side has no effect in a case; empty: it has one.
 std::string reasonWithoutRight(const CaseDescription& description, const Parameter& parameter);

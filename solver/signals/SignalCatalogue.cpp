@@ -1,11 +1,13 @@
 #include "signals/SignalCatalogue.h"
 
+#include <algorithm>
 #include <deque>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "signals/Butterworth.h"
+#include "signals/Record.h"
 
 namespace squat::signals {
 
@@ -119,6 +121,13 @@ const char* filteredNameOnRight(std::string_view left) {
   for (const auto& row : signalCatalogue())
     if (row.left && row.left == left && row.filteredName) return row.filteredName;
   throw std::out_of_range("no filtered signal of the right side: " + std::string(left));
+}
+
+bool hasRightSide(const Record& record) {
+  const auto& rows = signalCatalogue();
+  return std::any_of(rows.begin(), rows.end(), [&](const CatalogueRow& row) {
+    return row.left && (record.channel(row.name) || (row.filteredName && record.channel(row.filteredName)));
+  });
 }
 
 bool carriesFilter(const TimeSeries& series, double cutoff) {

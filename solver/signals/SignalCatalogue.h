@@ -9,6 +9,8 @@
 
 namespace squat::signals {
 
+struct Record;
+
 // In results and tables. They stay: files of earlier versions have them.
 namespace names {
 inline constexpr const char* axleBox = "aba";
@@ -61,6 +63,9 @@ struct CatalogueRow {
 const std::vector<CatalogueRow>& signalCatalogue();
 // "aba_right_filtered", or another name of the right side's. Throws std::out_of_range for one that the catalogue lacks.
 const char* filteredNameOnRight(std::string_view left);
+
+// Whether a record has signals of the right side: it is that of a whole model.
+bool hasRightSide(const Record& record);
 
 // The filtered partner: Butterworth of order 4 forward and back. A series that is too short for it, or sampled too
 // slowly for the cut-off [Hz], is its own partner.

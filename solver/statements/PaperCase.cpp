@@ -8,6 +8,7 @@
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
 #include "case/Resolve.h"
+#include "case/RightSide.h"
 #include "case/ShippedCases.h"
 #include "core/Errors.h"
 
@@ -39,13 +40,21 @@ bool isThePapersTorque(const std::string& key, const std::string& value) {
   return key == "motion.torque" && value == "12450.49";
 }
 
+void addDifference(const cases::Parameter& parameter, const std::string& key, const cases::CaseDescription& ours,
+                   const cases::CaseDescription& paper, std::vector<ChangedKey>& changed) {
+  const auto own = cases::valueText(ours, parameter);
+  if (!counts(parameter) || own == cases::valueText(paper, parameter) || isThePapersTorque(key, own)) return;
+  changed.push_back({key, shown(ours, parameter), cases::isList(parameter) ? "its own" : shown(paper, parameter)});
+}
+
+// Both rails of the paper's cases are alike: the right side of a whole model has the same counterpart as the left one.
 std::vector<ChangedKey> differences(const cases::CaseDescription& ours, const cases::CaseDescription& paper) {
   std::vector<ChangedKey> changed;
-  for (const auto& parameter : cases::parameterTable())
-    if (const auto own = cases::valueText(ours, parameter);
-        counts(parameter) && own != cases::valueText(paper, parameter) && !isThePapersTorque(parameter.key, own))
-      changed.push_back(
-          {parameter.key, shown(ours, parameter), cases::isList(parameter) ? "its own" : shown(paper, parameter)});
+  for (const auto& parameter : cases::parameterTable()) addDifference(parameter, parameter.key, ours, paper, changed);
+  if (ours.extent != cases::ModelExtent::whole) return changed;
+  const auto right = cases::rightOf(ours);
+  for (const auto& [key, text] : ours.right)
+    addDifference(*cases::findParameter(key), std::string(cases::rightGroup) + "." + key, right, paper, changed);
   return changed;
 }
 

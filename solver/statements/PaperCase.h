@@ -9,7 +9,8 @@
 
 namespace squat::statements {
 
-// A key that differs from the paper's case; both values in the unit of the case file, with the unit.
+// A key that differs from the paper's case, "right.pad.stiffness" as well; both values in the unit of the case file,
+// with the unit.
 struct ChangedKey {
   std::string key, ours, paper;
 };

@@ -11,6 +11,7 @@
 #include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "case/ParameterValue.h"
+#include "case/RightSide.h"
 #include "core/Errors.h"
 #include "text/Csv.h"
 
@@ -106,6 +107,19 @@ TEST(ComparisonTable, hasAColumnForWhatDiffersAndADashForWhatIsMissing) {
   EXPECT_EQ(tabbed.substr(0, tabbed.find('\n')), "signal\tdepth [mm]\tpeak [m/s²]\tline 1 [Hz]\tcorrelation [-]");
   EXPECT_THAT(tabbed, testing::HasSubstr("\nshallow\t0.15\t101.2\t300\t-\n"));
   EXPECT_THAT(tabbed, testing::EndsWith("\nmeasured at km 3\t-\t-\t-\t1\n"));
+}
+
+// A run whose right side is as its left one has no value of its own there.
+TEST(ComparisonTable, hasAColumnForWhatTheRightSideHasOfItsOwn) {
+  cases::CaseDescription description = cases::defaultCase();
+  cases::setValue(description, "model.extent", "whole");
+  const auto alike = cases::comparedCase(description);
+  ASSERT_EQ(cases::trySetRight(description, "defect.depth", "0.3"), std::nullopt);
+  const auto deeper = cases::comparedCase(description);
+  const auto table = comparisonTable({{"alike", &alike, {}, {}}, {"deeper", &deeper, {}, {}}});
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"signal", "right depth [mm]"}));
+  EXPECT_EQ(table.rows[0][1].text, "-");
+  EXPECT_EQ(table.rows[1][1].text, "0.3");
 }
 
 TEST(ComparisonTable, ofNothingHasOnlyItsHeading) { EXPECT_EQ(tableCsv(comparisonTable({})), "signal\n"); }

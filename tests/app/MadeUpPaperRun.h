@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "results/RunResult.h"
 

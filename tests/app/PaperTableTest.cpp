@@ -82,6 +82,44 @@ TEST(PaperTable, AChangedKeyIsNotJudgedAndSaysWhy) {
   EXPECT_EQ(row(result, "differs from light-defect").verdict, "not judged");
 }
 
+// What the user has just set is looked for first; keys of the right side are named as they are set.
+TEST(PaperTable, OfManyChangedKeysThoseSetByHandComeFirst) {
+  auto result = made(310, 1000);
+  const cases::CaseOverrides overrides{"tiny",
+                                       {{"model.extent", "whole"},
+                                        {"motion.speed", "25"},
+                                        {"pad.stiffness", "800"},
+                                        {"ballast.stiffness", "30"},
+                                        {"right.pad.stiffness", "900"},
+                                        {"right.defect.shape", "none"}}};
+  results::setCase(result, cases::loadCase("light-defect", overrides));
+  const auto changed = [&](const std::vector<std::string>& setByHand) {
+    std::vector<std::string> found;
+    for (const auto& each : paperRows(result, setByHand))
+      if (each.what == "differs from light-defect") found.push_back(each.ours);
+    return found;
+  };
+  const auto all = changed({});
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_EQ(all[3], "and 3 more keys");
+  const auto byHand = changed({"right.defect.shape", "ballast.stiffness", "right.pad.stiffness"});
+  EXPECT_THAT(byHand, ::testing::ElementsAre("ballast.stiffness = 30 MN/m", "right.defect.shape = none",
+                                             "right.pad.stiffness = 900 MN/m", "and 3 more keys"));
+  EXPECT_THAT(paperTable(result, {"right.pad.stiffness"}), HasSubstr("right.pad.stiffness = 900 MN/m"));
+}
+
+// The same on both rails, as the paper has it, though it is stated; without effect in a half model.
+TEST(PaperTable, TheRightSideCountsWhereItDiffers) {
+  auto result = made(310, 1000);
+  results::setCase(result,
+                   cases::loadCase("light-defect", {"tiny", {{"motion.speed", "25"}, {"right.pad.stiffness", "900"}}}));
+  EXPECT_THAT(paperTable(result), Not(HasSubstr("right.pad")));
+  results::setCase(result, cases::loadCase("light-defect",
+                                           {"tiny", {{"model.extent", "whole"}, {"right.contact.friction", "0.6"}}}));
+  EXPECT_THAT(paperTable(result), HasSubstr("model.extent = whole"));
+  EXPECT_THAT(paperTable(result), HasSubstr("right.contact.friction = 0.6"));
+}
+
 TEST(PaperTable, PeakWavelengthEnergyAndHertz) {
   const auto result = made(306, 1005);
   EXPECT_EQ(row(result, kPeak).ours.substr(0, 2), "80");

@@ -9,6 +9,7 @@
 #include "case/InputPresets.h"
 #include "case/MeshPresets.h"
 #include "case/ParameterValue.h"
+#include "case/RightSide.h"
 
 namespace squat::cases {
 namespace {
@@ -34,7 +35,7 @@ class CaseNames : public testing::Test {
     std::vector<const ComparedCase*> all;
     for (const auto& one : cases_) all.push_back(one.values);
     std::vector<std::string> found;
-    for (const std::size_t row : differingRows(all)) found.push_back(parameterTable()[row].key);
+    for (const std::size_t row : differingRows(all)) found.push_back(comparedKey(row));
     return found;
   }
 
@@ -111,6 +112,35 @@ TEST_F(CaseNames, aDrawnProfileIsNamedByItsExtentOrItsFile) {
   add(other);
   EXPECT_THAT(keys(), ElementsAre("defect.points"));
   EXPECT_THAT(names(), ElementsAre("0.25 deep, 45 long", "0.25 deep, 45 long (2)", "rail 7"));
+}
+
+// What the right side has of its own stands behind what both have, by the name of its side.
+TEST_F(CaseNames, theRightSideIsNamed) {
+  const auto addWhole = [&](const Settings& right) {
+    CaseDescription description = defaultCase();
+    setValue(description, "model.extent", "whole");
+    for (const auto& [key, text] : right) ASSERT_EQ(trySetRight(description, key, text), std::nullopt);
+    addCase(description, "a");
+  };
+  addWhole({});
+  addWhole({{"defect.depth", "0.3"}, {"pad.stiffness", "800"}});
+  addWhole({{"defect.depth", "0.15"}, {"defect.shape", "none"}});  // without a defect it has no depth
+  EXPECT_THAT(keys(), ElementsAre("right.defect.shape", "right.defect.depth", "right.pad.stiffness"));
+  EXPECT_THAT(names(), ElementsAre("a", "right depth 0.3, right pad stiffness 800", "right shape none"));
+  EXPECT_EQ(comparedLabel(parameterTable().size()), "right " + shortLabel(parameterTable()[0]));
+}
+
+// Stated as the left side has it, and in a half model, it tells nothing apart.
+TEST_F(CaseNames, aRightSideThatIsAsTheLeftOneIsNotNamed) {
+  for (const char* extent : {"whole", "half"}) {
+    values_.clear(), cases_.clear();
+    CaseDescription description = defaultCase();
+    setValue(description, "model.extent", extent);
+    addCase(description, "a");
+    ASSERT_EQ(trySetRight(description, "defect.depth", std::string(extent) == "half" ? "0.3" : "0.15"), std::nullopt);
+    addCase(description, "a");
+    EXPECT_TRUE(keys().empty()) << extent;
+  }
 }
 
 // The names of presets are not named, their values are: the case may have overridden them.

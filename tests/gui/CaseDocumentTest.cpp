@@ -3,11 +3,13 @@
 
 #include <QTemporaryDir>
 #include <cmath>
+#include <fstream>
 #include <random>
 
 #include "case/CaseFile.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
+#include "case/RightSide.h"
 #include "studio/document/CaseDocument.h"
 #include "studio/profile/ProfileModel.h"
 
@@ -160,6 +162,52 @@ TEST(CaseDocument, aPresetLeavesWhatTheUserHasSet) {
   document.resetParameter("mesh.preset");
   EXPECT_DOUBLE_EQ(document.description().motion.beyond, 0.6);
   EXPECT_DOUBLE_EQ(document.description().motion.runUp, runUp);
+}
+
+// By the names that files and commands know.
+TEST(CaseDocument, theRightSideIsSetAndSetBack) {
+  CaseDocument document;
+  document.setParameter("model.extent", "whole");
+  EXPECT_EQ(document.setParameter("right.defect.depth", "0.3"), std::nullopt);
+  EXPECT_DOUBLE_EQ(cases::rightOf(document.description()).defect.depth, 0.3e-3);
+  EXPECT_DOUBLE_EQ(document.right().defect.depth, 0.3e-3);
+  EXPECT_EQ(document.undoStack().count(), 2);
+  document.setParameter("right.defect.depth", "0.3");
+  document.resetParameter("right.defect.length");  // is as on the left
+  EXPECT_EQ(document.undoStack().count(), 2);
+  const auto wrong = document.setParameter("right.defect.depth", "deep");
+  ASSERT_TRUE(wrong);
+  EXPECT_EQ(wrong->key, "right.defect.depth");
+  EXPECT_TRUE(document.setParameter("right.motion.speed", "20"));  // both sides have the same
+  document.resetParameter("right.defect.depth");
+  EXPECT_TRUE(document.description().right.empty());
+  document.undoStack().undo();
+  EXPECT_DOUBLE_EQ(document.right().defect.depth, 0.3e-3);
+}
+
+// Its points are stated for that side alone, and go with its name. The file is made by hand.
+TEST(CaseDocument, theRightSideMayNameAProfile) {
+  const QTemporaryDir folder;
+  std::ofstream(folder.filePath("right.csv").toStdString()) << "position [mm],height [mm]\n-30,0\n0,-0.2\n30,0\n";
+  CaseDocument document;
+  document.setParameter("model.extent", "whole");
+  document.save(folder.filePath("both.toml"));
+  EXPECT_TRUE(document.setParameter("right.defect.file", "missing.csv"));
+  EXPECT_EQ(document.setParameter("right.defect.file", "right.csv"), std::nullopt);
+  EXPECT_EQ(document.setParameter("right.defect.shape", "profile"), std::nullopt);
+  const auto right = cases::rightOf(document.description());
+  ASSERT_EQ(right.defect.points.size(), 3u);
+  EXPECT_DOUBLE_EQ(right.defect.points[1].height, -0.2e-3);
+  EXPECT_TRUE(document.description().defect.points.empty());
+  EXPECT_TRUE(document.validation().problems.empty());
+  document.save(folder.filePath("both.toml"));
+  CaseDocument again;
+  again.open(folder.filePath("both.toml"));
+  EXPECT_TRUE(sameCase(again.description(), document.description()));
+  document.resetParameter("right.defect.file");
+  EXPECT_TRUE(cases::rightOf(document.description()).defect.points.empty());
+  document.undoStack().undo();
+  EXPECT_EQ(cases::rightOf(document.description()).defect.points.size(), 3u);
 }
 
 TEST(CaseDocument, savedAndOpenedIsEqual) {

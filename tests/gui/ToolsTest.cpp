@@ -25,6 +25,7 @@
 
 #include "case/CaseFile.h"
 #include "case/ParameterValue.h"
+#include "case/RightSide.h"
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
 #include "results/SignalTable.h"
@@ -138,6 +139,23 @@ TEST_F(Tools, valuesOfAStudyAreTypedInFields) {
   EXPECT_EQ(runs->text(), "64 runs");
   EXPECT_EQ(rows->limits()[0], "defect.depth=0.1:0.3");
   EXPECT_FALSE(rows->findChild<QSpinBox*>("count")->isVisible());
+}
+
+// Keys of the right side are typed, and the value beside them is that of the right side.
+TEST(KeyRows, theValueBesideAKeyIsThatOfItsSide) {
+  auto description = cases::defaultCase();
+  cases::setValue(description, "model.extent", "whole");
+  cases::setValue(description, "pad.stiffness", "1200");
+  ASSERT_EQ(cases::trySetRight(description, "pad.stiffness", "800"), std::nullopt);
+  KeyRows rows([](const cases::Parameter&) { return true; }, KeyValues::limits);
+  rows.showCase(description);
+  rows.setTexts({"right.pad.stiffness=500:900", "pad.stiffness=500:900", "right.ballast.stiffness=20:60"});
+  QStringList seen;
+  for (const auto* label : rows.findChildren<QLabel*>())
+    if (label->text().startsWith("now ")) seen << label->text();
+  const auto ballast = cases::valueText(description, *cases::findParameter("ballast.stiffness"));
+  EXPECT_EQ(seen, (QStringList{"now 800 MN/m", "now 1200 MN/m", QString::fromStdString("now " + ballast + " MN/m")}))
+      << seen.join("; ").toStdString();
 }
 
 TEST_F(Tools, whatWasWrongIsNotSaidAnyMoreOnceItIsMended) {

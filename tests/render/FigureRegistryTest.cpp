@@ -149,7 +149,7 @@ TEST_F(FigureRegistry, signalsOfTheCatalogueAreDrawnInTheirFigures) {
   EXPECT_GE(drawn, 4);  // two forces, two accelerations beside the track
 }
 
-// Of a whole model both sides stand in one figure, the right one in the unit of the axis as well.
+// Of a whole model both sides stand in one figure, each by its name, the right one in the unit of the axis as well.
 TEST_F(FigureRegistry, bothSidesOfAWholeModelAreDrawnTogether) {
   auto result = tests::syntheticResult();
   const auto valueAt = [&](const Figure& figure, const QString& label, int at) {
@@ -167,9 +167,27 @@ TEST_F(FigureRegistry, bothSidesOfAWholeModelAreDrawnTogether) {
   }
   const int at = 300;
   const auto aba = figureRow("aba_position").build(result, lightStyle(), {});
-  EXPECT_DOUBLE_EQ(valueAt(*aba, "axle box, right", at), 0.5 * valueAt(*aba, "axle box (", at));
+  EXPECT_DOUBLE_EQ(valueAt(*aba, "axle box, right", at), 0.5 * valueAt(*aba, "axle box, left (", at));
+  EXPECT_DOUBLE_EQ(valueAt(*aba, "wheel, left (", at), (*result.signal("wheel_acceleration_filtered"))[at]);
   const auto force = figureRow("contact_force").build(result, lightStyle(), {});
   EXPECT_DOUBLE_EQ(valueAt(*force, "vertical, right", at), 0.5e-3 * (*result.signal("contact_force"))[at]);
+  EXPECT_DOUBLE_EQ(valueAt(*force, "vertical, left", at), 1e-3 * (*result.signal("contact_force"))[at]);
+  EXPECT_DOUBLE_EQ(valueAt(*force, "longitudinal, left", at), 1e-3 * (*result.signal("creep_force"))[at]);
+  const auto psd = figureRow("psd").build(result, lightStyle(), {});
+  EXPECT_DOUBLE_EQ(valueAt(*psd, "axle box, left", at), result.psd[at]);
+  EXPECT_DOUBLE_EQ(valueAt(*psd, "wheel, left", at), result.psdWheel[at]);
+}
+
+// A half model has one side, which needs no name; of a whole one, figures of the left side alone say so.
+TEST_F(FigureRegistry, theLeftSideIsNamedWhereThereIsARightOne) {
+  auto result = tests::syntheticResult();
+  for (const char* name : {"aba_position", "aba_time", "contact_force", "trackside", "psd", "scalogram"})
+    for (const char* word : {", left", "left side"})
+      EXPECT_FALSE(toSvg(*figureRow(name).build(result, lightStyle(), {})).contains(word)) << name;
+  result.signals.push_back({"aba_right", "m/s2", "", *result.signal("aba_filtered")});
+  for (const char* name : {"psd", "scalogram", "stft", "defect_profile", "contact_patch"})
+    EXPECT_TRUE(toSvg(*figureRow(name).build(result, lightStyle(), {})).contains("left side: ")) << name;
+  EXPECT_FALSE(toSvg(*figureRow("aba_time").build(result, lightStyle(), {})).contains("left side: "));
 }
 
 // The same run begun half a second earlier, laid over itself in time: the wheels pass the defect together.

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
+#include "plots/ComparisonFigures.h"
 #include "plots/FigureBuilders.h"
 #include "plots/FigureFiles.h"
 #include "plots/PaperFigures.h"
@@ -110,6 +112,37 @@ TEST_F(FigureSheets, mapsTellTheUnitOfTheirSignal) {
   EXPECT_EQ(scaleOf(*plots::amplitudeScalogramFigure(result, {})), "Wavelet power [(V)²]");
   EXPECT_EQ(scaleOf(*plots::stftFigure(result, {}, 64)), "Power density [(V)²/Hz]");
   EXPECT_EQ(scaleOf(*plots::scalogramFigure(tests::syntheticResult(), {})), "Wavelet power [(m/s²)² s]");
+}
+
+// Files of one name: the folders say which is which, no more of them than needed. Others are called as before.
+TEST_F(FigureSheets, comparedResultsOfOneNameAreToldApartByTheirFolders) {
+  signals::Passage passage;
+  passage.series.unit = "m/s2", passage.series.step = 1 / 25000.0;
+  for (int i = 0; i < 2000; ++i) {
+    const double time = passage.series.timeAt(static_cast<std::size_t>(i)), since = std::max(time - 0.03, 0.0);
+    passage.series.values.push_back(80 * std::exp(-since / 0.006) * std::sin(2 * M_PI * 300 * since));
+    passage.position.push_back(30 * time);
+  }
+  passage.series.name = "light-defect: aba";
+  const auto comparison = signals::compare(passage, passage, {});
+  const auto names = [&](const char* first, const char* second) {
+    const auto sheets = plots::comparisonFigures({{first, second, comparison, {}}}, false, plots::lightStyle());
+    std::vector<std::string> found;  // first, second; the second is drawn behind the first
+    for (const int graph : {1, 0}) found.push_back(sheets.at(0).panels.at(0)->graph(graph)->name().toStdString());
+    EXPECT_EQ(sheets[0].name, "light-defect_aba_comparison");  // its file is called as ever
+    return found;
+  };
+  using testing::ElementsAre;
+  const std::string plain = "light-defect: aba";
+  EXPECT_THAT(names("/runs/soft/light-defect.h5", "/runs/stiff/light-defect.h5"),
+              ElementsAre("soft/" + plain, "stiff/" + plain));
+  EXPECT_THAT(names("/soft/out/light-defect.h5", "/stiff/out/light-defect.h5"),
+              ElementsAre("soft/out/" + plain, "stiff/out/" + plain));
+  EXPECT_THAT(names("/runs/light-defect.h5", "/runs/new/light-defect.h5"),
+              ElementsAre("runs/" + plain, "new/" + plain));
+  EXPECT_THAT(names("/light-defect.h5", "/new/light-defect.h5"), ElementsAre(plain, "new/" + plain));
+  EXPECT_THAT(names("/runs/a/light-defect.h5", "/runs/b/smooth-rail.h5"), ElementsAre(plain, plain));
+  EXPECT_THAT(names("/runs/light-defect.h5", "/runs/light-defect.csv"), ElementsAre(plain, plain));
 }
 
 // One frequency axis below the other: a resonance and its phase stand in one vertical line.

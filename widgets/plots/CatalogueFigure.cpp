@@ -46,11 +46,13 @@ std::unique_ptr<Figure> catalogueFigure(const std::string& figure, const RunResu
   drawn->yAxis->setLabel(QString::fromUtf8(first.axis));
   drawn->xAxis->setRange(1e3 * window.from, 1e3 * window.to);
   const std::vector<double> position = scaled(result.position, 1e3);
+  const bool isWhole = signals::hasRightSide(result);
   std::size_t colour = 0;
   for (const auto* row : rows) {
+    const auto label = QString::fromUtf8(row->curve.label);
     if (const auto* values = result.signal(row->name))
-      addCurve(*drawn, {position, scaled(*values, row->curve.factor), QString::fromUtf8(row->curve.label), colour,
-                        row->curve.front ? 1.2 : 0.9, Qt::SolidLine, row->curve.front});
+      addCurve(*drawn, {position, scaled(*values, row->curve.factor), isWhole && !row->left ? label + ", left" : label,
+                        colour, row->curve.front ? 1.2 : 0.9, Qt::SolidLine, row->curve.front});
     ++colour;
   }
   if (drawn->graphCount() == 0)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "analysis/AnalysisFiles.h"
@@ -111,6 +112,32 @@ std::unique_ptr<Figure> ratio(const signals::Comparison& c, bool smooth, const S
 
 }  // namespace
 
+namespace {
+
+// Results of one case in two folders have the same name: as many folders stand before it as it takes to tell them
+// apart.
+void addFolders(signals::Comparison& comparison, const std::string& firstFile, const std::string& secondFile) {
+  std::error_code unknown;  // a path that cannot be completed is taken as it is given
+  const auto pathOf = [&](const std::string& file) {
+    return std::filesystem::absolute(file, unknown).lexically_normal();
+  };
+  const auto first = pathOf(firstFile), second = pathOf(secondFile);
+  if (first.stem() != second.stem() || first.parent_path() == second.parent_path()) return;
+  auto ofFirst = first.parent_path(), ofSecond = second.parent_path();
+  for (bool apart = false; !apart && (ofFirst.has_relative_path() || ofSecond.has_relative_path());) {
+    apart = ofFirst.filename() != ofSecond.filename();
+    ofFirst = ofFirst.parent_path(), ofSecond = ofSecond.parent_path();
+  }
+  const auto shown = [](const std::filesystem::path& file, const std::filesystem::path& above) {
+    const auto folder = file.parent_path().lexically_relative(above).generic_string();
+    return folder.empty() || folder == "." ? std::string() : folder + "/";
+  };
+  comparison.firstName = shown(first, ofFirst) + comparison.firstName;
+  comparison.secondName = shown(second, ofSecond) + comparison.secondName;
+}
+
+}  // namespace
+
 FigureSheet comparisonFigure(const signals::Comparison& comparison, const std::string& name, bool smooth,
                              const Style& style) {
   FigureSheet sheet{name, {}, 2};
@@ -129,9 +156,11 @@ std::vector<FigureSheet> comparisonFigures(const std::vector<analysis::FileCompa
     const std::string wanted = analysis::safeFileName(pair.comparison.secondName) + "_comparison";
     std::string name = wanted;
     for (int number = 2; !taken.insert(name).second; ++number) name = wanted + "_" + std::to_string(number);
-    sheets.push_back(comparisonFigure(pair.comparison, name, smooth, style));
-    sheets.push_back(mapComparison(pair.comparison, MapKind::scalogram, name + "_scalograms", style));
-    sheets.push_back(mapComparison(pair.comparison, MapKind::shortTime, name + "_stft", style));
+    auto comparison = pair.comparison;
+    addFolders(comparison, pair.firstFile, pair.secondFile);
+    sheets.push_back(comparisonFigure(comparison, name, smooth, style));
+    sheets.push_back(mapComparison(comparison, MapKind::scalogram, name + "_scalograms", style));
+    sheets.push_back(mapComparison(comparison, MapKind::shortTime, name + "_stft", style));
   }
   return sheets;
 }

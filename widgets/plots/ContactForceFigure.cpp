@@ -3,6 +3,7 @@
 #include "plots/CatalogueFigure.h"
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
+#include "signals/SignalCatalogue.h"
 
 namespace squat::plots {
 
@@ -13,7 +14,8 @@ std::unique_ptr<Figure> contactForceFigure(const results::RunResult& result, con
       if (scalar.name != "contact_force" || result.position.empty()) continue;
       const double level = scalar.value * 1e-3,
                    to = std::max(1e3 * result.position.back(), figure.xAxis->range().upper);
-      addCurve(figure, {{1e3 * result.position.front(), to}, {level, level}, "static", 6, 0.7, Qt::DashLine});
+      const char* label = signals::hasRightSide(result) ? "static, left" : "static";
+      addCurve(figure, {{1e3 * result.position.front(), to}, {level, level}, label, 6, 0.7, Qt::DashLine});
     }
   });
 }

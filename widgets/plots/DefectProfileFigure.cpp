@@ -120,7 +120,7 @@ std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, co
   const QCPRange range = figure->yAxis->range();
   figure->yAxis->setRange(range.lower - stripHeight * range.size(), range.upper);
   for (const Span& span : sleeperSpans(result.surface)) addSleeper(*figure, span, from * 1e3, to * 1e3);
-  setCaption(*figure, result);
+  setCaption(*figure, result, ShownSide::left);
   return figure;
 }
 

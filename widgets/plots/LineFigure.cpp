@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signals/SignalCatalogue.h"
+
 namespace squat::plots {
 
 std::vector<double> scaled(const std::vector<double>& values, double factor) {
@@ -104,9 +106,14 @@ void fitDensity(Figure& figure) {
   figure.yAxis->setRange(0, roomForNames * figure.yAxis->range().upper);
 }
 
-void setCaption(Figure& figure, const results::AnalysedRecord& result) {
+QString noteOfLeftSide(const results::AnalysedRecord& result) {
+  return signals::hasRightSide(result) ? QStringLiteral("left side: ") : QString();
+}
+
+void setCaption(Figure& figure, const results::AnalysedRecord& result, ShownSide side) {
   QString left = QString::fromStdString(result.title.empty() ? result.stem : result.title);
   // In front, where a narrow figure does not cut it off.
+  if (side == ShownSide::left) left = noteOfLeftSide(result) + left;
   if (!result.complete)
     left = QStringLiteral("incomplete (%1): ").arg(QString::fromStdString(result.stopReason)) + left;
   figure.setCaption(left, QString::fromStdString(result.stem + "  " + result.caseHash));

@@ -42,8 +42,13 @@ void keepZeroInSight(Figure& figure);
 void fitWithZero(Figure& figure);
 void fitDensity(Figure& figure);
 
-// Caption of every figure: title, and stem with hash; says so where the run is incomplete.
-void setCaption(Figure& figure, const results::AnalysedRecord& result);
+// "left side: " of a whole model's record, else empty.
+QString noteOfLeftSide(const results::AnalysedRecord& result);
+
+// Caption of every figure: title, and stem with hash; says so where the run is incomplete, and where of a whole model
+// the left side alone is shown.
+enum class ShownSide { every, left };
+void setCaption(Figure& figure, const results::AnalysedRecord& result, ShownSide side = ShownSide::every);
 
 // Stretch of the profile that is not flat [m]; empty (from == to == 0) for a smooth rail.
 struct Extent {

@@ -97,6 +97,7 @@ void widen(Extremes& extremes, const results::PatchSnapshot& patch) {
 void nameMoment(Figure& figure, const results::RunResult& result, int index) {
   const auto& patch = result.patches[static_cast<std::size_t>(index)];
   const QString moment =
+      noteOfLeftSide(result) +
       QStringLiteral("%1 at %2 mm: ").arg(QString::fromStdString(patch.name)).arg(1e3 * patch.position, 0, 'f', 1);
   figure.setCaption(moment + QString::fromStdString(result.title.empty() ? result.stem : result.title),
                     QString::fromStdString(result.stem + "  " + result.caseHash));
@@ -125,7 +126,7 @@ std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Styl
   figure->yAxis->setLabel("Across the rail [mm]");
   figure->xAxis->setRange(-12, 12);
   figure->yAxis->setRange(-12, 12);
-  setCaption(*figure, result);
+  setCaption(*figure, result, ShownSide::left);
   Extremes scale;
   for (const auto& each : result.patches)
     if (index >= 0 && hasPressures(each)) widen(scale, each);

@@ -4,6 +4,7 @@
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
 #include "signals/Features.h"
+#include "signals/SignalCatalogue.h"
 #include "signals/ThirdOctaves.h"
 
 namespace squat::plots {
@@ -176,9 +177,10 @@ std::unique_ptr<Figure> psdFigure(const results::AnalysedRecord& result, const S
     curve.front = colour == 0;
     addCurve(*figure, curve);
   };
-  add(result.psd, result.psdWheel.empty() ? QString() : QString("axle box"), 0, 1.2);
+  const bool isWhole = signals::hasRightSide(result);
+  add(result.psd, result.psdWheel.empty() ? QString() : QString(isWhole ? "axle box, left" : "axle box"), 0, 1.2);
   if (result.psdWheel.size() == result.frequency.size() && !result.psdWheel.empty())
-    add(result.psdWheel, "wheel centre", 1, 0.8);
+    add(result.psdWheel, isWhole ? "wheel, left" : "wheel centre", 1, 0.8);
   const double top =
       result.frequency.empty() ? highestShownFrequency : std::min(highestShownFrequency, result.frequency.back());
   figure->xAxis->setRange(0, std::max(top, 1.0));
@@ -186,7 +188,7 @@ std::unique_ptr<Figure> psdFigure(const results::AnalysedRecord& result, const S
   if (octaves && isThere) setOctaveAxis(*figure, result, section);
   fitSpectrum(*figure, scale);
   if (!octaves) addLineLabels(*figure, linesOf(result), scale);
-  setCaption(*figure, result);
+  setCaption(*figure, result, ShownSide::left);
   return figure;
 }
 

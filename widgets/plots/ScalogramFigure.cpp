@@ -100,7 +100,7 @@ std::unique_ptr<Figure> mapFigure(const results::AnalysedRecord& result, const S
   figure->setPrintedSize({85, 62});
   figure->xAxis->setLabel("Position of the wheel [mm]");
   figure->yAxis->setLabel("Frequency [Hz]");
-  setCaption(*figure, result);
+  setCaption(*figure, result, ShownSide::left);
   const Window window = judgedWindow(result);
   const ScalogramGrid grid = scalogramGrid(result, window.from, window.to, lowestShown, highestShown);
   if (grid.power.empty()) {
@@ -183,7 +183,9 @@ std::unique_ptr<Figure> stftFigure(const results::AnalysedRecord& result, const 
     for (double time : stft.time)
       local.scalogramPosition.push_back(signals::interpolateLinear(result.time, result.position, time));
   }
-  return mapFigure(local, style, {"stft", scaleLabel("Power density [(%1)²/Hz]", result)});
+  auto figure = mapFigure(local, style, {"stft", scaleLabel("Power density [(%1)²/Hz]", result)});
+  setCaption(*figure, result, ShownSide::left);
+  return figure;
 }
 
 }  // namespace squat::plots

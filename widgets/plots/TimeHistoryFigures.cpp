@@ -28,12 +28,15 @@ void addAccelerations(Figure& figure, const results::RunResult& result, const st
   const auto* wheel = result.signal(signals::names::wheelFiltered);
   const auto* box = result.signal(signals::names::axleBoxFiltered);
   if (!box) box = result.signal(signals::names::axleBox);
-  if (box) addCurve(figure, {x, *box, labelWithExtremes("axle box", x, *box, from, to), 0, 1.2, Qt::SolidLine, true});
-  if (wheel) addCurve(figure, {x, *wheel, labelWithExtremes("wheel centre", x, *wheel, from, to), 1, 0.8});
+  // Short enough for two columns of the legend, also where a whole bogie has four axle boxes.
+  const bool isWhole = signals::hasRightSide(result);
+  const char *ofBox = isWhole ? "axle box, left" : "axle box", *ofWheel = isWhole ? "wheel, left" : "wheel centre";
+  if (box) addCurve(figure, {x, *box, labelWithExtremes(ofBox, x, *box, from, to), 0, 1.2, Qt::SolidLine, true});
+  if (wheel) addCurve(figure, {x, *wheel, labelWithExtremes(ofWheel, x, *wheel, from, to), 1, 0.8});
   // Of a whole model, behind the left side.
   if (const auto* right = result.signal(signals::filteredNameOnRight(signals::names::axleBox)))
     addCurve(figure, {x, *right, labelWithExtremes("axle box, right", x, *right, from, to), 2, 0.9});
-  // Of a bogie; short enough for two columns of the legend where there are four axle boxes.
+  // Of a bogie.
   const auto* second = result.signal(signals::names::secondAxleBoxFiltered);
   const auto* secondRight = result.signal(signals::filteredNameOnRight(signals::names::secondAxleBox));
   const char* name = secondRight ? "second, left" : "second wheelset";

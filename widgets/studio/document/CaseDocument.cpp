@@ -9,6 +9,7 @@
 #include "case/NamedTables.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
+#include "case/RightSide.h"
 #include "case/ShippedCases.h"
 #include "core/Errors.h"
 #include "studio/document/CaseCommand.h"
@@ -47,6 +48,22 @@ std::optional<CaseProblem> readTables(cases::CaseDescription& after, const cases
     if (!named && !nowWanted) continue;
     if (auto problem = readTable(after, table, folder)) return problem;
   }
+  return std::nullopt;
+}
+
+// The same of a key of the right side. What was read is stated for that side alone.
+std::optional<CaseProblem> readTablesOnRight(cases::CaseDescription& after, const cases::CaseDescription& before,
+                                             const std::string& key, const QDir& folder) {
+  auto right = cases::rightOf(after);
+  if (auto problem = readTables(right, before, key, folder)) return cases::onRight(std::move(*problem));
+  const auto unread = cases::rightOf(after);
+  for (const auto& table : cases::namedTables())
+    for (const auto& values : table.valueKeys) {
+      if (!cases::mayDiffer(values)) continue;
+      const std::string text = cases::valueText(right, *cases::findParameter(values));
+      if (key != table.fileKey && text == cases::valueText(unread, *cases::findParameter(values))) continue;
+      if (auto problem = cases::trySetRight(after, values, text)) return problem;
+    }
   return std::nullopt;
 }
 
@@ -113,7 +130,17 @@ void CaseDocument::save(const QString& path) {
   Q_EMIT titleChanged();
 }
 
+std::optional<CaseProblem> CaseDocument::setOnRight(const std::string& key, const std::string& text) {
+  cases::CaseDescription after = description();
+  if (auto problem = cases::trySetRight(after, key, text)) return problem;
+  if (after.right == description().right) return std::nullopt;
+  if (auto problem = readTablesOnRight(after, right_, key, QFileInfo(path_).dir())) return problem;
+  edit(tr("Change right.%1").arg(QString::fromStdString(key)), after);
+  return std::nullopt;
+}
+
 std::optional<CaseProblem> CaseDocument::setParameter(const std::string& key, const std::string& text) {
+  if (const auto onRight = cases::keyOnRight(key); !onRight.empty()) return setOnRight(std::string(onRight), text);
   const cases::Parameter* parameter = cases::findParameter(key);
   if (!parameter) return cases::unknownKey(key);
   cases::CaseDescription after = description();
@@ -130,9 +157,13 @@ std::optional<CaseProblem> CaseDocument::setParameter(const std::string& key, co
 }
 
 void CaseDocument::resetParameter(const std::string& key) {
+  cases::CaseDescription after = description();
+  if (const auto onRight = cases::keyOnRight(key); !onRight.empty()) {
+    cases::setAsLeft(after, onRight);
+    return edit(tr("Set %1 as on the left").arg(QString::fromStdString(key)), after);
+  }
   const cases::Parameter* parameter = cases::findParameter(key);
   if (!parameter) return;
-  cases::CaseDescription after = description();
   cases::setToDefault(after, *parameter);
   if (const auto* table = cases::namedTable(key); table && key != "defect.file") table->clear(after);
   if (key == "mesh.preset") takePreset(after, description());
@@ -152,6 +183,7 @@ void CaseDocument::edit(const QString& what, const cases::CaseDescription& after
 
 void CaseDocument::become(std::shared_ptr<const cases::CaseDescription> description) {
   current_ = std::move(description);
+  right_ = cases::rightOf(*current_);
   validation_ = cases::validate(*current_);
   Q_EMIT changed();
 }

@@ -20,6 +20,7 @@ class CaseDocument : public QObject {
   ~CaseDocument() override;
 
   const cases::CaseDescription& description() const { return *current_; }
+  const cases::CaseDescription& right() const { return right_; }  // the case of the right side alone
   const cases::Validation& validation() const { return validation_; }
   QUndoStack& undoStack() { return undo_; }
   QString path() const { return path_; }  // empty: never saved (shipped cases open as copies)
@@ -36,9 +37,10 @@ class CaseDocument : public QObject {
   void save(const QString& path);
 
   // Text in the unit of the case file. A wrong text changes nothing and comes back as the problem. A new mesh preset
-  // brings its sizes with it, except those that the user has set otherwise than the one before.
+  // brings its sizes with it, except those that the user has set otherwise than the one before. "right.defect.depth" is
+  // a key of the right side.
   std::optional<CaseProblem> setParameter(const std::string& key, const std::string& text);
-  void resetParameter(const std::string& key);
+  void resetParameter(const std::string& key);  // to the default; of the right side as on the left
 
   // One undoable change. Changes with the same gesture (not zero) become one: a drag, a slider.
   void edit(const QString& what, const cases::CaseDescription& after, int gesture = 0);
@@ -52,10 +54,12 @@ class CaseDocument : public QObject {
 
  private:
   friend class CaseCommand;
+  std::optional<CaseProblem> setOnRight(const std::string& key, const std::string& text);
   void notePreset();  // that it has shortened what is rolled
   void become(std::shared_ptr<const cases::CaseDescription> description);
 
   std::shared_ptr<const cases::CaseDescription> current_;
+  cases::CaseDescription right_;
   cases::Validation validation_;
   QUndoStack undo_;
   QString path_, name_;

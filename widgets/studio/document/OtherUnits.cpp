@@ -2,14 +2,18 @@
 
 #include <QObject>
 
+#include "case/RightSide.h"
 #include "scenario/WheelsetMass.h"
 
 namespace squat::studio {
 namespace {
 
-// [kg] on both rails: the case describes one wheel and what it carries.
+// [kg] on both rails: a case describes one wheel and what it carries, and that of the right side where it differs.
 double axleLoad(const cases::CaseDescription& description) {
-  return 2 * (description.suspension.sprungMass + scenario::wheelsetMass(description.wheelset));
+  const double left = description.suspension.sprungMass;
+  const bool isWhole = description.extent == cases::ModelExtent::whole;
+  const double right = isWhole ? cases::rightOf(description).suspension.sprungMass : left;
+  return left + right + 2 * scenario::wheelsetMass(description.wheelset);
 }
 
 }  // namespace

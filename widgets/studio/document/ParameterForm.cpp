@@ -12,6 +12,7 @@
 #include "case/MeshPresets.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
+#include "case/RightSide.h"
 #include "studio/common/EditorHabits.h"
 #include "studio/common/FixedLabel.h"
 #include "studio/common/Words.h"
@@ -22,7 +23,7 @@ namespace squat::studio {
 namespace {
 
 QString asSentence(const ParameterRow& row) {
-  return QStringLiteral("%1: %2").arg(QString::fromStdString(row.parameter().key), row.reason());
+  return QStringLiteral("%1: %2").arg(QString::fromStdString(row.key()), row.reason());
 }
 
 QString relation(const CaseProblem& problem) {
@@ -42,6 +43,7 @@ ParameterForm::ParameterForm(CaseDocument& document, QWidget* parent) : QWidget(
   changedOnly_->setObjectName("changedOnly");
   changedOnly_->setToolTip(tr("Show only parameters that differ from their default"));
   makeLevels();
+  makeSides();
   auto* top = new QHBoxLayout;
   top->addWidget(search_);
   top->addWidget(level_);
@@ -58,6 +60,7 @@ ParameterForm::ParameterForm(CaseDocument& document, QWidget* parent) : QWidget(
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
   layout->addLayout(top);
+  layout->addWidget(sides_);
   layout->addWidget(scroll);
   why_ = new FixedLabel(2, this);
   why_->setObjectName("formReason");
@@ -75,6 +78,7 @@ ParameterForm::ParameterForm(CaseDocument& document, QWidget* parent) : QWidget(
   connect(&document_, &CaseDocument::changed, this, &ParameterForm::update);
   connect(&document_, &CaseDocument::replaced, this, [this] {
     for (ParameterRow* each : rows_) each->dropRefused();
+    sides_->setCurrentIndex(0);
   });
   update();
 }
@@ -96,6 +100,45 @@ void ParameterForm::makeLevels() {
       tr("Which parameters are shown. What the case states itself, what is wrong and what a search finds "
          "is always shown"));
   level_->setCurrentIndex(std::clamp(QSettings().value("parameterLevel", 0).toInt(), 0, level_->count() - 1));
+}
+
+void ParameterForm::makeSides() {
+  sides_ = new QTabBar(this);
+  sides_->setObjectName("sides");
+  sides_->setAccessibleName(tr("Side of the track"));
+  sides_->setExpanding(false);
+  sides_->addTab(tr("Left"));
+  sides_->addTab(tr("Right"));
+  sides_->setTabToolTip(0, tr("The left side, and what both sides have in common. What the right side has of its own "
+                              "stands below its counterpart"));
+  sides_->setTabToolTip(1, tr("What the right side may have of its own. It is as on the left until it is given here, "
+                              "and again when its field is emptied"));
+  sides_->hide();
+  connect(sides_, &QTabBar::currentChanged, this, &ParameterForm::filter);
+}
+
+bool ParameterForm::isWhole() const { return document_.description().extent == cases::ModelExtent::whole; }
+
+// Each below its counterpart on the left.
+void ParameterForm::makeRightRows() {
+  if (rows_.back()->isOnRight()) return;
+  for (Group& group : groups_) {
+    auto* layout = static_cast<QVBoxLayout*>(group.body->layout());
+    std::vector<ParameterRow*> all;
+    for (ParameterRow* left : group.rows) {
+      all.push_back(left);
+      if (!cases::mayDiffer(left->parameter().key)) continue;
+      auto* row = new ParameterRow(document_, left->parameter(), RowSide::right, group.body);
+      layout->insertWidget(layout->indexOf(left) + 1, row);
+      row->followInTabOrder(*left);
+      letWheelPass(*row);
+      leaveUndoToWindow(*row);
+      connect(row, &ParameterRow::reasonChanged, this, &ParameterForm::blockersChanged);
+      all.push_back(row);
+      rows_.push_back(row);
+    }
+    group.rows = std::move(all);
+  }
 }
 
 void ParameterForm::makeGroups(QWidget* inside) {
@@ -129,7 +172,7 @@ void ParameterForm::makeGroups(QWidget* inside) {
       layout->addWidget(body);
       groups_.push_back({header, body, {}});
     }
-    auto* row = new ParameterRow(document_, parameter, groups_.back().body);
+    auto* row = new ParameterRow(document_, parameter, RowSide::left, groups_.back().body);
     groups_.back().body->layout()->addWidget(row);
     groups_.back().rows.push_back(row);
     rows_.push_back(row);
@@ -139,14 +182,17 @@ void ParameterForm::makeGroups(QWidget* inside) {
 }
 
 ParameterRow* ParameterForm::row(const std::string& key) const {
-  const auto found = std::find_if(rows_.begin(), rows_.end(),
-                                  [&](const ParameterRow* candidate) { return candidate->parameter().key == key; });
+  const auto found =
+      std::find_if(rows_.begin(), rows_.end(), [&](const ParameterRow* candidate) { return candidate->key() == key; });
   return found == rows_.end() ? nullptr : *found;
 }
 
 void ParameterForm::update() {
   unplaced_.clear();
+  if (isWhole()) makeRightRows();
+  sides_->setVisible(isWhole());
   for (ParameterRow* each : rows_) {
+    if (each->isOnRight() && !isWhole()) each->dropRefused();  // nobody could mend it
     each->showRelation({});
     each->showValue();
   }
@@ -167,11 +213,14 @@ void ParameterForm::mark(const std::vector<CaseProblem>& problems) {
   Q_EMIT blockersChanged();
 }
 
-// The row that is being edited is not hidden.
 bool ParameterForm::isOfLevel(const ParameterRow& row) const {
+  return static_cast<int>(row.parameter().level) <= level_->currentIndex();
+}
+
+// What is wrong, and the row that is being edited.
+bool ParameterForm::isNeeded(const ParameterRow& row) const {
   const QWidget* focus = QApplication::focusWidget();
-  return static_cast<int>(row.parameter().level) <= level_->currentIndex() || !row.reason().isEmpty() ||
-         (focus && row.isAncestorOf(focus));
+  return !row.reason().isEmpty() || (focus && row.isAncestorOf(focus));
 }
 
 void ParameterForm::takePresets() {
@@ -190,9 +239,20 @@ void ParameterForm::takePresets() {
 
 // By the case itself: neither a default nor a preset gives this value.
 bool ParameterForm::isStated(const ParameterRow& row) const {
+  if (row.isOnRight()) return row.isChanged() || row.isRefused();
   if (cases::isList(row.parameter())) return row.isChanged();
   return row.isRefused() ||
          cases::valueText(document_.description(), row.parameter()) != cases::valueText(presets_, row.parameter());
+}
+
+// Of what the right side has of its own both tabs tell, and a search and what is wrong are never hidden.
+bool ParameterForm::isWanted(const ParameterRow& row, const QString& searched) const {
+  if ((row.isOnRight() && !isWhole()) || !row.matches(searched)) return false;
+  const bool isHidden = !row.isOnRight() && showsRight();
+  if (changedOnly_->isChecked()) return row.isRefused() || (row.isChanged() && !isHidden);
+  if (!searched.isEmpty() || isNeeded(row)) return true;
+  if (isHidden) return false;
+  return isStated(row) || (isOfLevel(row) && row.isOnRight() == showsRight());
 }
 
 void ParameterForm::filter() {
@@ -201,9 +261,7 @@ void ParameterForm::filter() {
   for (const Group& group : groups_) {
     bool any = false;
     for (ParameterRow* each : group.rows) {
-      const bool wanted = changedOnly_->isChecked() ? each->isChanged() || each->isRefused()
-                                                    : !searched.isEmpty() || isOfLevel(*each) || isStated(*each);
-      const bool shown = each->matches(searched) && wanted;
+      const bool shown = isWanted(*each, searched);
       each->setVisible(shown);
       any = any || shown;
     }

@@ -6,6 +6,7 @@
 
 #include "case/Applicability.h"
 #include "case/ParameterValue.h"
+#include "case/RightSide.h"
 #include "studio/common/DecimalComma.h"
 #include "studio/common/Theme.h"
 #include "studio/common/Words.h"
@@ -36,10 +37,28 @@ std::string asWritten(const cases::Parameter& parameter, const QString& typed) {
   return (parameter.kind == cases::Kind::number ? withDecimalPoint(typed) : typed).toStdString();
 }
 
+// Of long lists, how many there are.
+QString shownValue(const cases::CaseDescription& description, const cases::Parameter& parameter) {
+  if (!cases::isList(parameter)) return QString::fromStdString(cases::valueText(description, parameter));
+  auto copy = description;  // the table gives access to what may be changed
+  if (const auto* points = std::get_if<4>(&parameter.access))
+    return QObject::tr("%n points", nullptr, static_cast<int>((*points)(copy).size()));
+  return QObject::tr("%n lines", nullptr, static_cast<int>(std::get<5>(parameter.access)(copy).size()));
+}
+
+// What it is called where the right side has no value of its own.
+QString asLeft(const QString& value) {
+  return value.isEmpty() ? QObject::tr("as left") : QObject::tr("%1, as left").arg(value);
+}
+
 }  // namespace
 
-ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& parameter, QWidget* parent)
-    : QWidget(parent), document_(document), parameter_(parameter) {
+ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& parameter, RowSide side, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      parameter_(parameter),
+      side_(side),
+      key_(side == RowSide::right ? std::string(cases::rightGroup) + "." + parameter.key : parameter.key) {
   makeEditor();
   name_ = new QLabel(label(), this);
   name_->setBuddy(editor_);
@@ -48,15 +67,7 @@ ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& param
                               : printedUnits(QString::fromStdString(parameter.unit)),
                           this);
   unit->setFixedWidth(46);
-  reset_ = new QToolButton(this);
-  reset_->setText(QChar(0x21ba));
-  reset_->setAutoRaise(true);
-  QSizePolicy keepsLocation = reset_->sizePolicy();
-  keepsLocation.setRetainSizeWhenHidden(true);
-  reset_->setSizePolicy(keepsLocation);
-  reset_->setToolTip(tr("Reset to default: %1").arg(QString::fromStdString(parameter.defaultText)));
-  reset_->setAccessibleName(tr("Reset %1").arg(QString::fromStdString(parameter.key)));
-  reset_->setFocusPolicy(Qt::StrongFocus);
+  makeReset();
   other_ = new QLabel(this);
   other_->setObjectName("otherUnits");
   other_->setForegroundRole(QPalette::PlaceholderText);
@@ -78,21 +89,53 @@ ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& param
   grid->setColumnStretch(1, wide ? 6 : 4);
   name_->setMinimumWidth(wide ? name_->sizeHint().width() : 120);
   name_->setWordWrap(!wide);  // long names take a second line, not the room of the whole form
-  connect(reset_, &QToolButton::clicked, this, [this] {
-    dropRefused();
-    document_.resetParameter(parameter_.key);
-  });
   showValue();
 }
 
-QString ParameterRow::label() const { return parameterLabel(parameter_.key); }
+QString ParameterRow::label() const {
+  const QString own = parameterLabel(parameter_.key);
+  return isOnRight() ? tr("%1, right").arg(own) : own;
+}
+
+const cases::CaseDescription& ParameterRow::caseOfSide() const {
+  return isOnRight() ? document_.right() : document_.description();
+}
+
+void ParameterRow::makeReset() {
+  reset_ = new QToolButton(this);
+  reset_->setText(QChar(0x21ba));
+  reset_->setAutoRaise(true);
+  QSizePolicy keepsLocation = reset_->sizePolicy();
+  keepsLocation.setRetainSizeWhenHidden(true);
+  reset_->setSizePolicy(keepsLocation);
+  const QString key = QString::fromStdString(key_);
+  reset_->setToolTip(isOnRight() ? tr("Set back to what the left side has")
+                                 : tr("Reset to default: %1").arg(QString::fromStdString(parameter_.defaultText)));
+  reset_->setAccessibleName(isOnRight() ? tr("Set %1 as on the left").arg(key) : tr("Reset %1").arg(key));
+  reset_->setFocusPolicy(Qt::StrongFocus);
+  connect(reset_, &QToolButton::clicked, this, &ParameterRow::reset);
+}
+
+void ParameterRow::reset() {
+  dropRefused();
+  document_.resetParameter(key_);
+}
+
+// On the right side the first entry is that of the left side, whatever it is.
+void ParameterRow::makeChoice() {
+  editor_ = choice_ = new QComboBox(this);
+  if (isOnRight()) choice_->addItem(asLeft({}));
+  if (parameter_.kind == cases::Kind::boolean) choice_->addItems({"true", "false"});
+  for (const auto& name : parameter_.choices) choice_->addItem(QString::fromStdString(name));
+  if (isOnRight()) choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  connect(choice_, &QComboBox::activated, this,
+          [this](int entry) { commit(isOnRight() && entry == 0 ? QString() : choice_->currentText()); });
+}
 
 void ParameterRow::makeEditor() {
-  const QString key = QString::fromStdString(parameter_.key);
-  if (parameter_.kind == cases::Kind::choice) {
-    editor_ = choice_ = new QComboBox(this);
-    for (const auto& name : parameter_.choices) choice_->addItem(QString::fromStdString(name));
-    connect(choice_, &QComboBox::activated, this, [this] { commit(choice_->currentText()); });
+  const QString key = QString::fromStdString(key_);
+  if (parameter_.kind == cases::Kind::choice || (parameter_.kind == cases::Kind::boolean && isOnRight())) {
+    makeChoice();
   } else if (parameter_.kind == cases::Kind::boolean) {
     editor_ = check_ = new QCheckBox(this);
     connect(check_, &QCheckBox::clicked, this, [this](bool on) { commit(on ? "true" : "false"); });
@@ -110,53 +153,62 @@ void ParameterRow::makeEditor() {
   editor_->setMinimumWidth(choice_ ? 116 : 90);
 }
 
-// A text that the user still has to mend is not taken away by a change of something else.
-void ParameterRow::showValue() {
-  const std::string text = cases::valueText(document_.description(), parameter_);
-  const bool dropsRefused = isRefused() && text != value_;
-  value_ = text;
-  if (dropsRefused) wrongText_.clear();
+void ParameterRow::showText() {
+  const QString shown = shownValue(caseOfSide(), parameter_);
   if (line_ && !isRefused()) {
-    QString shown = QString::fromStdString(text);
-    if (parameter_.kind == cases::Kind::points) {
-      const auto* points = std::get_if<4>(&parameter_.access);
-      auto copy = document_.description();
-      shown = tr("%n points", nullptr, points ? static_cast<int>((*points)(copy).size()) : 0);
-    }
-    if (const auto* lines = std::get_if<5>(&parameter_.access)) {
-      auto copy = document_.description();
-      shown = tr("%n lines", nullptr, static_cast<int>((*lines)(copy).size()));
-    }
-    if (line_->text() != shown) line_->setText(shown);
+    const QString own = isAsLeft() ? QString() : shown;  // so that typing begins with an empty field
+    line_->setPlaceholderText(isAsLeft() ? asLeft(shown) : QString());
+    if (line_->text() != own) line_->setText(own);
     if (!line_->hasFocus()) line_->setCursorPosition(0);  // long texts are seen from their beginning
     line_->setModified(false);
   }
-  if (choice_) choice_->setCurrentText(QString::fromStdString(text));
-  if (check_) check_->setChecked(text == "true");
+  if (choice_ && isOnRight()) choice_->setItemText(0, asLeft(shownValue(document_.description(), parameter_)));
+  if (choice_ && isAsLeft()) choice_->setCurrentIndex(0);
+  if (choice_ && !isAsLeft()) choice_->setCurrentText(shown);
+  if (check_) check_->setChecked(shown == "true");
+}
+
+// A text that the user still has to mend is not taken away by a change of something else.
+void ParameterRow::showValue() {
+  const bool asOnLeft = isOnRight() && !cases::isStatedOnRight(document_.description(), parameter_.key);
+  const std::string text = asOnLeft ? std::string() : cases::valueText(caseOfSide(), parameter_);
+  const bool dropsRefused = isRefused() && text != value_;
+  value_ = text;
+  if (dropsRefused) wrongText_.clear();
   const bool noPoints = cases::isList(parameter_) && text == "[]";
-  changed_ = text != parameter_.defaultText && !noPoints;
+  changed_ = isOnRight() ? !asOnLeft : text != parameter_.defaultText && !noPoints;
+  showText();
   QFont font = name_->font();
   font.setBold(changed_);
   name_->setFont(font);
-  const QString other = inOtherUnits(document_.description(), parameter_.key);
+  const QString other = asOnLeft ? QString() : inOtherUnits(document_.description(), parameter_.key);
   other_->setText(other);
   other_->setVisible(!other.isEmpty());
   showReason();
   if (dropsRefused) Q_EMIT reasonChanged();
 }
 
+QString ParameterRow::withoutEffect() const {
+  const auto& description = document_.description();
+  if (isOnRight()) return QString::fromStdString(cases::reasonWithoutRight(description, parameter_));
+  if (cases::applies(description, parameter_)) return {};
+  return QString::fromStdString(cases::reasonWithoutEffect(description, parameter_));
+}
+
 void ParameterRow::showEffect() {
-  const bool counts = cases::applies(document_.description(), parameter_);
-  const QString without =
-      counts ? QString() : QString::fromStdString(cases::reasonWithoutEffect(document_.description(), parameter_));
+  const QString without = withoutEffect();
+  const bool counts = without.isEmpty();
   // Greyed, and still there for keys and screen readers: a value can be prepared, and F1 explains it.
   name_->setForegroundRole(counts ? QPalette::WindowText : QPalette::PlaceholderText);
+  const bool greyed = !counts || (choice_ && isAsLeft());  // an empty field is grey by itself
   QPalette colours;
-  if (!counts)
+  if (greyed)
     for (const auto role : {QPalette::Text, QPalette::ButtonText, QPalette::WindowText})
       colours.setColor(role, palette().color(QPalette::PlaceholderText));
-  editor_->setPalette(counts ? QPalette() : colours);
-  editor_->setAccessibleDescription(counts ? QString::fromStdString(parameter_.doc) : without);
+  editor_->setPalette(greyed ? colours : QPalette());
+  const QString doc = QString::fromStdString(parameter_.doc);
+  const QString explained = isAsLeft() ? asLeft(shownValue(caseOfSide(), parameter_)) + ". " + doc : doc;
+  editor_->setAccessibleDescription(counts ? explained : without);
   const QString first = reason().isEmpty() ? without : reason();
   setToolTip((first.isEmpty() ? QString() : "<b>" + first.toHtmlEscaped() + "</b><br>") + toolTipText());
 }
@@ -180,15 +232,21 @@ void ParameterRow::showRelation(const QString& reason) {
 }
 
 void ParameterRow::tryText(const QString& text) {
-  cases::CaseDescription copy = document_.description();
+  cases::CaseDescription copy = caseOfSide();
   const auto problem = cases::trySetValue(copy, parameter_, asWritten(parameter_, text));
-  wrongText_ = problem ? sentence(parameter_, *problem) : QString();
+  const bool asOnLeft = isOnRight() && text.isEmpty();
+  wrongText_ = problem && !asOnLeft ? sentence(parameter_, *problem) : QString();
   showReason();
   Q_EMIT reasonChanged();
 }
 
+// A field of the right side that was emptied is as on the left again.
 void ParameterRow::commit(const QString& text) {
-  if (const auto problem = document_.setParameter(parameter_.key, asWritten(parameter_, text))) {
+  if (isOnRight() && text.isEmpty()) {
+    reset();
+    return showValue();  // also where nothing has changed
+  }
+  if (const auto problem = document_.setParameter(key_, asWritten(parameter_, text))) {
     wrongText_ = sentence(parameter_, *problem);
     showReason();
     Q_EMIT reasonChanged();
@@ -200,24 +258,29 @@ void ParameterRow::commit(const QString& text) {
 
 void ParameterRow::showReason() {
   const QString text = reason();
-  reset_->setVisible((changed_ || isRefused()) && !cases::isList(parameter_));
+  reset_->setVisible((changed_ || isRefused()) && (isOnRight() || !cases::isList(parameter_)));
   editor_->setStyleSheet(text.isEmpty() ? QString() : QStringLiteral("border: 1px solid %1;").arg(wrongColour));
   showEffect();
 }
 
 bool ParameterRow::matches(const QString& searched) const {
-  return searched.isEmpty() || QString::fromStdString(parameter_.key).contains(searched, Qt::CaseInsensitive) ||
+  return searched.isEmpty() || QString::fromStdString(key_).contains(searched, Qt::CaseInsensitive) ||
          label().contains(searched, Qt::CaseInsensitive) ||
          QString::fromStdString(parameter_.doc).contains(searched, Qt::CaseInsensitive);
 }
 
+void ParameterRow::followInTabOrder(const ParameterRow& row) {
+  setTabOrder(row.reset_, editor_);
+  setTabOrder(editor_, reset_);
+}
+
 QString ParameterRow::toolTipText() const {
+  const QString usual = isOnRight() ? asLeft(shownValue(document_.description(), parameter_))
+                                    : QString::fromStdString(parameter_.defaultText);
   return QStringLiteral("<b>%1</b><br>%2<br>%3: %4<br>%5: %6<br><i>%7</i>")
-      .arg(QString::fromStdString(parameter_.key).toHtmlEscaped(),
-           QString::fromStdString(parameter_.doc).toHtmlEscaped(), tr("allowed values"),
-           printedUnits(QString::fromStdString(cases::allowedText(parameter_))).toHtmlEscaped(), tr("default"),
-           QString::fromStdString(parameter_.defaultText).toHtmlEscaped(),
-           QString::fromStdString(parameter_.source).toHtmlEscaped());
+      .arg(QString::fromStdString(key_).toHtmlEscaped(), QString::fromStdString(parameter_.doc).toHtmlEscaped(),
+           tr("allowed values"), printedUnits(QString::fromStdString(cases::allowedText(parameter_))).toHtmlEscaped(),
+           tr("default"), usual.toHtmlEscaped(), QString::fromStdString(parameter_.source).toHtmlEscaped());
 }
 
 }  // namespace squat::studio

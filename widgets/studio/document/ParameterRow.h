@@ -1,5 +1,5 @@
 // widgets/studio/document/ParameterRow.h - one parameter in the form: name, editor, unit, reset, and what is wrong with
-// it.
+// it. On the right side of a whole model it shows in grey what the left side has, until it has a value of its own.
 #pragma once
 
 #include <QCheckBox>
@@ -16,14 +16,18 @@ namespace squat::studio {
 
 class CaseDocument;
 
+enum class RowSide { left, right };  // left: also of what both sides have in common
+
 class ParameterRow : public QWidget {
   Q_OBJECT
  public:
-  ParameterRow(CaseDocument& document, const cases::Parameter& parameter, QWidget* parent = nullptr);
+  ParameterRow(CaseDocument& document, const cases::Parameter& parameter, RowSide side, QWidget* parent = nullptr);
 
   const cases::Parameter& parameter() const { return parameter_; }
+  const std::string& key() const { return key_; }  // on the right side "right.defect.depth"
+  bool isOnRight() const { return side_ == RowSide::right; }
   QString label() const;
-  bool isChanged() const { return changed_; }               // differs from the default
+  bool isChanged() const { return changed_; }  // differs from the default; on the right side: the case states it
   bool isRefused() const { return !wrongText_.isEmpty(); }  // what stands in the editor is not what the case holds
   void dropRefused();
   // What stands in the editor and cannot be taken, else what validation says of the value; empty: nothing.
@@ -33,6 +37,7 @@ class ParameterRow : public QWidget {
   void showRelation(const QString& reason);     // from validation
   bool matches(const QString& searched) const;  // key, label or documentation
   QWidget* editor() const { return editor_; }
+  void followInTabOrder(const ParameterRow& row);
 
  Q_SIGNALS:
   void reasonChanged();
@@ -42,6 +47,13 @@ class ParameterRow : public QWidget {
 
  private:
   void makeEditor();
+  void makeChoice();
+  void makeReset();
+  bool isAsLeft() const { return isOnRight() && !changed_; }
+  const cases::CaseDescription& caseOfSide() const;
+  QString withoutEffect() const;  // why the key has none; empty: it has one
+  void reset();
+  void showText();                    // in the editor
   void tryText(const QString& text);  // while typing: flags, changes nothing
   void commit(const QString& text);
   void showReason();
@@ -50,6 +62,8 @@ class ParameterRow : public QWidget {
 
   CaseDocument& document_;
   const cases::Parameter& parameter_;
+  RowSide side_;
+  std::string key_;
   QWidget* editor_ = nullptr;
   QLineEdit* line_ = nullptr;
   QComboBox* choice_ = nullptr;
@@ -58,7 +72,7 @@ class ParameterRow : public QWidget {
   QLabel* other_;
   QToolButton* reset_ = nullptr;
   QString wrongText_, relation_;
-  std::string value_;  // of the document, as last seen
+  std::string value_;  // of the document, as last seen; empty while it is as on the left
   bool changed_ = false;
 };
 

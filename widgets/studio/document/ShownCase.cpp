@@ -14,7 +14,7 @@ QString differenceOfCases(const results::RunResult* result, const cases::CaseDes
   const auto shown = cases::comparedCase(result->resolvedCase->description), edited = cases::comparedCase(open);
   QStringList keys;
   for (const std::size_t row : cases::differingRows({&shown, &edited}))
-    keys << QString::fromStdString(cases::parameterTable()[row].key);
+    keys << QString::fromStdString(cases::comparedKey(row));
   if (keys.isEmpty()) return {};
   constexpr int named = 3;
   const auto more = keys.size() - named;

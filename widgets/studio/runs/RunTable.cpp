@@ -150,12 +150,13 @@ bool RunTable::setData(const QModelIndex& index, const QVariant& value, int role
 QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation == Qt::Vertical || section < 0 || section >= columnCount()) return {};
   const Column& column = columns_[static_cast<std::size_t>(section)];
-  const auto& parameter = cases::parameterTable()[column.row];
+  const auto& parameter = cases::comparedParameter(column.row);
+  const std::string key = cases::comparedKey(column.row);
   if (role == Qt::ToolTipRole && (column.kind == Kind::parameter || column.kind == Kind::mesh))
-    return QString::fromStdString(parameter.key + ": " + parameter.doc);
+    return QString::fromStdString(key + ": " + parameter.doc);
   const bool isKey = column.kind == Kind::parameter || column.kind == Kind::mesh;
   if (role == GroupedRows::columnKeyRole || (role == columnNameRole && isKey))
-    return isKey ? QString::fromStdString(parameter.key) : QString();
+    return isKey ? QString::fromStdString(key) : QString();
   if (role == columnNameRole)
     return column.kind == Kind::name    ? "name"
            : column.kind == Kind::peak  ? "peak"
@@ -176,7 +177,7 @@ QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role
     case Kind::parameter:
       break;
   }
-  QString label = QString::fromStdString(cases::shortLabel(parameter));
+  QString label = QString::fromStdString(cases::comparedLabel(column.row));
   label[0] = label[0].toUpper();
   if (parameter.unit.empty() || parameter.unit == "-" || cases::isList(parameter)) return label;
   return QStringLiteral("%1\n[%2]").arg(label, printedUnits(QString::fromStdString(parameter.unit)));

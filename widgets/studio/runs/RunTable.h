@@ -31,7 +31,7 @@ class RunTable : public QAbstractTableModel {
   enum class Kind { name, peak, lines, parameter, mesh, time };
   struct Column {
     Kind kind = Kind::name;
-    std::size_t row = 0;  // of the parameter table
+    std::size_t row = 0;  // of a compared case
     bool operator==(const Column&) const = default;
   };
   std::vector<Column> columnsNow() const;

@@ -138,9 +138,9 @@ void KeyRows::showValue(const Row& row) const {
   const std::string key = keyOf(row).toStdString();
   const auto* parameter = cases::findOnEitherSide(key);
   QString text, allowed;
-  if (parameter && keys_.contains(QString::fromStdString(key))) {
+  if (parameter && keys_.contains(QString::fromStdString(parameter->key))) {
     const bool bare = parameter->unit.empty() || parameter->unit == "-";
-    text = tr("now %1").arg(QString::fromStdString(cases::valueText(description_, *parameter) +
+    text = tr("now %1").arg(QString::fromStdString(cases::valueText(cases::sideOf(description_, key), *parameter) +
                                                    (bare ? std::string() : " " + parameter->unit)));
     allowed = tr("Allowed: %1").arg(QString::fromStdString(cases::allowedText(*parameter)));
   } else if (parameter) {

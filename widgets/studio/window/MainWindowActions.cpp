@@ -13,6 +13,7 @@
 #include <QUrl>
 
 #include "case/ParameterTable.h"
+#include "case/RightSide.h"
 #include "case/ShippedCases.h"
 #include "core/ProgramVersion.h"
 #include "studio/common/PaneKeys.h"
@@ -249,7 +250,7 @@ QString MainWindow::helpOfFocus() const {
       return name == "squats" || name == "estimate" ? "studio.md#long-records"
                                                     : "studio.md#studies-calibration-and-receptance";
   for (const QWidget* widget = QApplication::focusWidget(); widget; widget = widget->parentWidget()) {
-    if (const auto* parameter = cases::findParameter(widget->objectName().toStdString()))
+    if (const auto* parameter = cases::findOnEitherSide(widget->objectName().toStdString()))
       return "parameters.md#" + QString::fromStdString(text::headingAnchor(parameter->group));
     for (const auto& [panel, page] : pages)
       if (widget == panel) return page;
