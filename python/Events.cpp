@@ -120,7 +120,8 @@ void addJudgement(EventClass& type) {
       [](const Event& self) { return range(self, self.event().judgement.depthLow, self.event().judgement.depthHigh); },
       "Depth [m] with a probability of 90 %: a tuple of low and high, or None.");
   addProperty(type, "side", &side,
-              "Rail with the defect, of a wheelset with two channels: \"left\", \"right\" or \"both\"; else None.");
+              "Rail with the defect, or wheel with the flat, of a wheelset with two channels: \"left\", \"right\" or "
+              "\"both\"; else None.");
   addProperty(type, "side_sureness", &sideSureness, "Probability of the side, 0 to 1: float or None.");
   addProperty(
       type, "reason", [](const Event& self) { return self.event().reason; },

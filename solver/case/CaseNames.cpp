@@ -119,9 +119,9 @@ ComparedCase comparedCase(const CaseDescription& description) {
   values.resize(2 * parameterTable().size());
   if (description.extent == ModelExtent::half) return values;
   const auto right = rightOf(description);
-  for (const auto& [key, text] : description.right) {
-    const auto& parameter = *findParameter(key);
-    const auto left = static_cast<std::size_t>(&parameter - parameterTable().data());
+  for (std::size_t left = 0; left < parameterTable().size(); ++left) {
+    const auto& parameter = parameterTable()[left];
+    if (!mayDiffer(parameter.key)) continue;
     auto value = comparedValue(right, parameter);
     if (value.identity != values[left].identity) values[parameterTable().size() + left] = std::move(value);
   }

@@ -94,17 +94,26 @@ bool isStatedOnRight(const CaseDescription& description, std::string_view key) {
 }
 
 void setAsLeft(CaseDescription& description, std::string_view key) {
-  const auto* table = namedTable(std::string(key));
+  // Of one file: its name and the numbers from it.
+  const auto isOf = [](const NamedTable& table, std::string_view one) {
+    return table.fileKey == one ||
+           std::find(table.valueKeys.begin(), table.valueKeys.end(), one) != table.valueKeys.end();
+  };
   const auto goes = [&](const std::string& stated) {
-    const auto isStated = [&](const auto& values) { return values == stated; };
-    return stated == key || (table && std::any_of(table->valueKeys.begin(), table->valueKeys.end(), isStated));
+    return stated == key || std::any_of(namedTables().begin(), namedTables().end(), [&](const NamedTable& table) {
+             return isOf(table, key) && isOf(table, stated);
+           });
   };
   std::erase_if(description.right, [&](const auto& stated) { return goes(stated.first); });
 }
 
 std::string reasonWithoutRight(const CaseDescription& description, const Parameter& parameter) {
+  return reasonWithoutRight(description, rightOf(description), parameter);
+}
+
+std::string reasonWithoutRight(const CaseDescription& description, const CaseDescription& right,
+                               const Parameter& parameter) {
   if (description.extent == ModelExtent::half) return "no effect because model.extent is half";
-  const auto right = rightOf(description);
   return applies(right, parameter) ? std::string() : reasonWithoutEffect(right, parameter);
 }
 

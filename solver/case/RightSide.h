@@ -38,11 +38,14 @@ inline CaseDescription sideOf(const CaseDescription& description, std::string_vi
 std::optional<CaseProblem> trySetRight(CaseDescription& description, std::string_view key, const std::string& text);
 // Whether the case itself states this key of the right side, named as on the left.
 bool isStatedOnRight(const CaseDescription& description, std::string_view key);
-// The right side again as the left one in this key. With the name of a file go the numbers that are from it.
+// The right side again as the left one in this key. The name of a file and the numbers from it go together.
 void setAsLeft(CaseDescription& description, std::string_view key);
 
 // Why a key of the right side has no effect in a case; empty: it has one.
 std::string reasonWithoutRight(const CaseDescription& description, const Parameter& parameter);
+// The same for who has rightOf() of it already.
+std::string reasonWithoutRight(const CaseDescription& description, const CaseDescription& right,
+                               const Parameter& parameter);
 
 // Throws CaseError for a whole model where only a half one will do: "a warm state".
 void requireHalf(const CaseDescription& description, const std::string& purpose);

@@ -13,7 +13,7 @@ double priorOfBoth(Kind kind) { return kind == Kind::squat || kind == Kind::flat
 
 // Of noise up to 2 kHz over 1.5 ms.
 constexpr double degreesOfNoise = 6;
-// Of log10 of an energy without noise: samples that are 0.1 to 0.2 ms apart do not meet the onset exactly.
+// Of log10 of an energy without noise: samples that are 0.1 to 0.25 ms apart do not meet the onset exactly.
 constexpr double leastSpread = 0.1;
 
 double meanOf(const std::vector<double>& values) {
@@ -30,6 +30,15 @@ double spreadOf(const std::vector<double>& values, double mean) {
 
 double normalDensity(double distance, double spread) {
   return std::exp(-0.5 * distance * distance / (spread * spread)) / (spread * std::sqrt(2 * std::numbers::pi));
+}
+
+// Of log10 of the energy that a box has measured, where `signal` is what it feels: with noise N of n degrees of
+// freedom, a signal S has the variance (2 N^2 + 4 S N) / n.
+double seenDensity(const FirstArrival& arrival, std::size_t box, double signal) {
+  const double noise = arrival.noise[box], all = signal + noise;
+  const double relative = std::sqrt((2 * noise * noise + 4 * signal * noise) / degreesOfNoise) / all;
+  const double seen = std::max(arrival.energy[box], 1e-300);
+  return normalDensity(std::log10(seen / all), std::hypot(leastSpread, relative / std::numbers::ln10));
 }
 
 }  // namespace
@@ -63,27 +72,26 @@ AxleSides::AxleSides(const std::vector<Example>& examples) {
   bothRails_ = {0, spreadOf(both, 0)};  // each pair stands in both orders
 }
 
-// Of log10 of the energy of the other box, given that of the box `here`: the ratio is integrated over, since what noise
-// leaves of a weak signal is not normal.
-double AxleSides::density(const FirstArrival& arrival, std::size_t here, const Ratio& ratio) {
-  constexpr int steps = 80;
-  constexpr double reach = 4;  // spreads on both sides
-  const std::size_t other = 1 - here;
-  const double noiseHere = arrival.noise[here], noise = arrival.noise[other];
-  const double own = std::max(arrival.energy[here] - noiseHere, 0.1 * noiseHere);
-  // The energy here is known as well as its noise lets it be.
-  const double unsure =
-      std::sqrt((2 * noiseHere * noiseHere + 4 * own * noiseHere) / degreesOfNoise) / (own * std::numbers::ln10);
-  const double spread = std::hypot(ratio.spread, unsure);
-  const double seen = std::log10(std::max(arrival.energy[other], 1e-6 * arrival.energy[here]));
-  double sum = 0;
-  for (int i = 0; i <= steps; ++i) {
-    const double away = reach * (2.0 * i / steps - 1);  // in spreads
-    const double signal = own * std::pow(10, -(ratio.mean + spread * away)), all = signal + noise;
-    const double relative = std::sqrt((2 * noise * noise + 4 * signal * noise) / degreesOfNoise) / all;
-    sum += normalDensity(away, 1) * normalDensity(seen - std::log10(all), std::hypot(leastSpread, relative / std::numbers::ln10));
+// Of log10 of both energies. What the struck box feels may be anything, each decade as likely, within what any box has
+// measured: integrated over it, and over the ratio.
+double AxleSides::density(const FirstArrival& arrival, std::size_t struck, const Ratio& ratio) {
+  constexpr int sources = 40, ratios = 32;
+  constexpr double lowest = -4, highest = 0.5;  // log10, by the larger energy
+  constexpr double reach = 4;                   // spreads on both sides of the ratio's mean
+  const double largest = std::max(arrival.energy[0], arrival.energy[1]);
+  std::array<double, ratios + 1> share{}, weight{};
+  for (int k = 0; k <= ratios; ++k) {
+    const double away = reach * (2.0 * k / ratios - 1);
+    share[k] = std::pow(10, -(ratio.mean + ratio.spread * away)), weight[k] = normalDensity(away, 1);
   }
-  return sum * 2 * reach / steps;
+  double sum = 0;
+  for (int i = 0; i <= sources; ++i) {
+    const double source = largest * std::pow(10, lowest + (highest - lowest) * i / sources);
+    double other = 0;
+    for (int k = 0; k <= ratios; ++k) other += weight[k] * seenDensity(arrival, 1 - struck, source * share[k]);
+    sum += seenDensity(arrival, struck, source) * other;
+  }
+  return sum;
 }
 
 SideJudgement AxleSides::judge(const FirstArrival& arrival, Kind kind) const {
@@ -94,9 +102,9 @@ SideJudgement AxleSides::judge(const FirstArrival& arrival, Kind kind) const {
                            both * 0.5 * (density(arrival, 0, bothRails_) + density(arrival, 1, bothRails_))};
   double sum = 0;
   for (const double each : judgement.probability) sum += each;
-  for (std::size_t s = 0; s < 3; ++s)
-    judgement.probability[s] =
-        sum > 0 ? judgement.probability[s] / sum : (s == 2 ? both : 0.5 * (1 - both));  // like nothing: as before
+  // Like nothing that is known: what was known before.
+  if (!(sum > 0)) judgement.probability = {0.5 * (1 - both), 0.5 * (1 - both), both}, sum = 1;
+  for (double& each : judgement.probability) each /= sum;
   return judgement;
 }
 

@@ -25,7 +25,7 @@ struct SideJudgement {
 // gives the side. Noise adds to the energies, with the scatter that a stretch so short brings.
 class AxleSides {
  public:
-  // Those that know their first arrival (Example.h), at least ten of three vehicles; else nothing is known.
+  // Needs ten examples with a first arrival (Example.h), of three vehicles; with fewer, nothing is known.
   explicit AxleSides(const std::vector<Example>& examples);
   AxleSides() = default;
 
@@ -37,7 +37,7 @@ class AxleSides {
   struct Ratio {  // log10 of the energy here by that of the other side
     double mean = 0, spread = 1;
   };
-  static double density(const FirstArrival& arrival, std::size_t here, const Ratio& ratio);
+  static double density(const FirstArrival& arrival, std::size_t struck, const Ratio& ratio);
 
   Ratio oneRail_, bothRails_;
   bool known_ = false;

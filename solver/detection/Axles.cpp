@@ -15,11 +15,16 @@ enum class NamedSide { none, left, right };
 struct NameParts {
   std::string rest;  // without the word for the side
   NamedSide side = NamedSide::none;
+  bool isAcross = false;  // not the vertical acceleration
 };
 
 NameParts partsOf(const std::string& name) {
   NameParts parts;
-  const auto isWordEnd = [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); };
+  // Bytes from 0x80 on are parts of letters.
+  const auto isWordEnd = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x80 && !std::isalnum(byte);
+  };
   const auto lower = text::lowerCase(name);
   for (auto from = lower.begin(); from != lower.end();) {
     if (isWordEnd(*from)) {
@@ -29,6 +34,7 @@ NameParts partsOf(const std::string& name) {
     const auto to = std::find_if(from, lower.end(), isWordEnd);
     const std::string word(from, to);
     const bool isLeft = word == "left" || word == "l", isRight = word == "right" || word == "r";
+    parts.isAcross = parts.isAcross || word == "lateral" || word == "longitudinal";
     if (isLeft || isRight)
       parts.side = isLeft ? NamedSide::left : NamedSide::right;
     else
@@ -42,6 +48,7 @@ std::vector<Axle> foundByNames(const records::RecordLayout& layout, std::vector<
   std::map<std::string, std::map<NamedSide, std::vector<std::size_t>>> alike;
   for (std::size_t c = 0; c < layout.channels.size(); ++c) {
     const auto parts = partsOf(layout.channels[c].name);
+    if (parts.isAcross) continue;
     alike[parts.rest][parts.side].push_back(c);
   }
   std::vector<Axle> axles;
@@ -52,8 +59,8 @@ std::vector<Axle> foundByNames(const records::RecordLayout& layout, std::vector<
     axles.push_back({left.front(), right.front()});
     notes.push_back("channels '" + layout.channels[left.front()].name + "' and '" +
                     layout.channels[right.front()].name +
-                    "' are taken by their names for the left and the right axle box of one wheelset (option axle: "
-                    "others, or none)");
+                    "' are assumed, from their names, to be the left and the right axle box of one wheelset (--axle "
+                    "LEFT,RIGHT names others, --axle none switches this off)");
   }
   return axles;
 }
@@ -64,7 +71,7 @@ std::size_t channelOf(const records::RecordLayout& layout, const std::string& na
     if (layout.channels[c].name == name) return c;
     all += (all.empty() ? "" : ", ") + layout.channels[c].name;
   }
-  throw FileError(layout.path, "", "has no channel '" + name + "', which the option axle names", "Its channels: " + all);
+  throw FileError(layout.path, "", "has no channel '" + name + "' (given with --axle)", "Its channels: " + all);
 }
 
 }  // namespace
@@ -99,9 +106,7 @@ std::vector<Axle> axlesOf(const records::RecordLayout& layout, const AxleNames& 
   std::vector<bool> isTaken(layout.channels.size(), false);
   const auto take = [&](const std::string& name) {
     const auto channel = channelOf(layout, name);
-    if (isTaken[channel])
-      throw FileError(layout.path, "", "has one channel '" + name + "', which the option axle names twice",
-                      "Name each channel once");
+    if (isTaken[channel]) throw CaseError({{"axle", name, "a channel of one wheelset alone", "It is named twice"}});
     isTaken[channel] = true;
     return channel;
   };

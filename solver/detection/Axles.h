@@ -27,8 +27,8 @@ std::optional<std::size_t> otherChannel(const std::vector<Axle>& axles, std::siz
 AxleNames axleNamesFromText(const std::vector<std::string>& texts);
 
 // Without names, two channels are one axle where their names differ in the word left or l, right or r alone ("axle 1
-// left"), or where one has the word right more than the other ("aba", "aba_right"); a note says of each axle that it was
-// found by its names. Throws FileError for a name that no channel has, and for a channel of two axles.
+// left"), or where one has the word right more than the other ("aba", "aba_right"); a note says of each axle that it
+// was found by its names. Throws FileError for a name that no channel has, CaseError for a channel of two axles.
 std::vector<Axle> axlesOf(const records::RecordLayout& layout, const AxleNames& names, std::vector<std::string>& notes);
 
 }  // namespace squat::detection

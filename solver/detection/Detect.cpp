@@ -178,7 +178,7 @@ RecordDetection findCandidates(records::RecordStream& stream, const DetectOption
   if (!result.axles.empty() && result.layout.rate < lowestRateOfArrivals) {
     result.axles.clear();
     result.notes.assign({"sampling at " + text::roundedText(result.layout.rate) +
-                         " Hz does not show which axle box moves first: events have no side, 4000 Hz show it"});
+                         " Hz is too slow to tell which axle box moves first: events get no side (4000 Hz is enough)"});
   }
   SegmentCutter cutter(result.layout);
   Pipeline pipeline(result, options);

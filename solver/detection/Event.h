@@ -23,6 +23,7 @@ struct Event {
   double peak = 0;                     // [unit] largest absolute value around, up to 2 kHz
   EventFeatures features;
   std::optional<FirstArrival> arrival;  // of this axle box and the other one of the wheelset; nothing: not known
+  std::string axle;                     // the two channels of the wheelset; empty: not known
   double otherPeak = 0;                 // [unit] as `peak`, of the other axle box
   std::optional<SideJudgement> side;    // once it is judged, where `arrival` is known
   Judgement judgement;

@@ -7,12 +7,12 @@
 namespace squat::detection {
 namespace {
 
-constexpr double ahead = 0.25, behind = 0.3;       // [m] of the anchor
-constexpr double quiet = 40e-3;                    // [s] ahead of that, of which the noise is taken
-constexpr double memory = 5e-3;                    // [s] of the mean that is taken off: slower motion does not count
-constexpr double early = 0.5e-3, late = 1e-3;      // [s] of the onset
-constexpr double share = 0.35, aboveNoise = 4;     // of the largest value; of the noise's root mean square: the onset
-constexpr double largestShare = 0.9;               // where noise is as large as the event
+constexpr double ahead = 0.15, behind = 0.1;    // [m] of the anchor
+constexpr double quiet = 40e-3;                 // [s] ahead of that, of which the noise is taken
+constexpr double memory = 5e-3;                 // [s] of the mean that is taken off: slower motion does not count
+constexpr double early = 0.5e-3, late = 1e-3;   // [s] of the onset
+constexpr double share = 0.35, aboveNoise = 4;  // of the largest value; of the noise's root mean square: the onset
+constexpr double largestShare = 0.9;            // where noise is as large as the event
 
 std::size_t samplesOf(double seconds, double step) { return static_cast<std::size_t>(std::lround(seconds / step)); }
 
@@ -48,18 +48,20 @@ std::optional<FirstArrival> firstArrival(const signals::TimeSeries& one, const s
   const std::array boxes{withoutMeanBefore(one.values, first, anchor + fromAnchor, before),
                          withoutMeanBefore(other.values, first, anchor + fromAnchor, before)};
   std::array<double, 2> mean{};  // square of the noise
-  for (std::size_t k = 0; k < 2; ++k)
+  for (std::size_t k = 0; k < 2; ++k) {
     mean[k] = energyOf(boxes[k], 0, noiseSamples) / static_cast<double>(noiseSamples);
+    if (!(energyOf(boxes[k], 0, boxes[k].size()) > 0)) return std::nullopt;
+  }
   const auto end = boxes[0].size();
   const auto larger = [&](std::size_t i) { return std::max(std::abs(boxes[0][i]), std::abs(boxes[1][i])); };
   double largest = 0;
   for (std::size_t i = noiseSamples; i < end; ++i) largest = std::max(largest, larger(i));
-  if (!(largest > 0)) return std::nullopt;
-  const double level = std::min(std::max(share * largest, aboveNoise * std::sqrt(std::max(mean[0], mean[1]))),
-                                largestShare * largest);
+  const double level =
+      std::min(std::max(share * largest, aboveNoise * std::sqrt(std::max(mean[0], mean[1]))), largestShare * largest);
   std::size_t onset = noiseSamples;
   while (larger(onset) < level) ++onset;
-  const auto from = onset - std::min(onset, samplesOf(early, step)), to = std::min(end, onset + samplesOf(late, step) + 1);
+  const auto from = onset - std::min(onset, samplesOf(early, step)),
+             to = std::min(end, onset + samplesOf(late, step) + 1);
   FirstArrival arrival;
   for (std::size_t k = 0; k < 2; ++k) {
     arrival.energy[k] = step * energyOf(boxes[k], from, to);

@@ -135,7 +135,7 @@ class Runs {
       if (result.complete) {
         example = exampleOf(result, defect.kind, defect.length, defect.depth);
         example->form = defect.form();
-        if (defect.kind == Kind::flat || !isOnLeftAlone(description)) example->arrival.reset();
+        if (defect.kind == Kind::flat || defect.support < 1 || !isOnLeftAlone(description)) example->arrival.reset();
         if (!options_.passages.empty()) keepPassage(result, *example, index);
       }
     } catch (const std::exception& error) {

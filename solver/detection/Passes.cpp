@@ -84,6 +84,25 @@ struct Found {
   double position;  // [m] in the first record's chainage
 };
 
+// Events of one channel; or of one wheelset and side, whichever of its boxes has shown them.
+bool areOfOneRail(const Event& one, const Event& other) {
+  if (one.channel == other.channel) return true;
+  return one.side && other.side && one.axle == other.axle && one.side->side() == other.side->side();
+}
+
+// Mean of the passes that know it.
+std::optional<SideJudgement> meanSide(const std::vector<Found>& group) {
+  SideJudgement mean;
+  double known = 0;
+  for (const auto& found : group)
+    if (found.event->side) known += 1;
+  if (known == 0) return std::nullopt;
+  for (const auto& found : group)
+    for (std::size_t s = 0; found.event->side && s < mean.probability.size(); ++s)
+      mean.probability[s] += found.event->side->probability[s] / known;
+  return mean;
+}
+
 CombinedEvent combined(std::vector<Found> group, std::size_t there) {
   std::sort(group.begin(), group.end(), [](const Found& a, const Found& b) { return a.event->score > b.event->score; });
   CombinedEvent result{*group.front().event, {}, 0};
@@ -117,6 +136,7 @@ CombinedEvent combined(std::vector<Found> group, std::size_t there) {
                                      [severity](const Found& f) { return f.event->judgement.severity == severity; });
     result.event.judgement = judged->event->judgement;  // so that length and depth agree with the severity
   }
+  result.event.side = meanSide(group);
   result.event.passes = result.records.size();
   result.event.passesThere = std::max(there, result.records.size());
   return result;
@@ -159,7 +179,7 @@ std::vector<CombinedEvent> combine(const std::vector<RecordDetection>& detection
     for (std::size_t k = i + 1; k < all.size() && all[k].position - all[i].position < sameLocation; ++k) {
       const bool isOther =
           std::none_of(group.begin(), group.end(), [&](const Found& f) { return f.record == all[k].record; });
-      if (isTaken[k] || !isOther || all[k].event->channel != all[i].event->channel) continue;
+      if (isTaken[k] || !isOther || !areOfOneRail(*all[k].event, *all[i].event)) continue;
       isTaken[k] = true;
       group.push_back(all[k]);
     }

@@ -27,6 +27,10 @@ rcmdx::EventToWrite eventOf(const Event& found, std::int64_t start, rcmdx::Place
   event.latitude = found.latitude, event.longitude = found.longitude;
   event.place = places.at(event.time);
   event.parameters.emplace_back("sureness", text::fixedText(found.sureness, 2));
+  if (found.side) {
+    event.parameters.emplace_back("side", toText(found.side->side()));
+    event.parameters.emplace_back("side sureness", text::fixedText(found.side->sureness(), 2));
+  }
   if (found.kind != Kind::squat) return event;
   event.severity = toText(found.judgement.severity);
   event.parameters.insert(event.parameters.begin(), {{"length [mm]", text::fixedText(1e3 * found.judgement.length, 0)},

@@ -6,9 +6,9 @@
 
 namespace squat::detection {
 
-// Gives each judged event of a wheelset with two channels its side. Of two events within 0.3 m, one on each channel, the
-// stronger decides for both; unless both rails have a defect, that of the other rail is crosstalk and is removed. What
-// is labelled stays.
+// Gives each judged event of a wheelset with two channels its side. Of two events within 0.3 m, one on each channel,
+// one is crosstalk and is left out where the side is left or right with 80 % at least, and it does not say as surely
+// that it is of its own rail. What is labelled stays, and speaks for both.
 void judgeSides(RecordDetection& detection, const AxleSides& sides);
 
 }  // namespace squat::detection

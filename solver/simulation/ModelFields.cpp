@@ -6,7 +6,9 @@ namespace squat::simulation {
 
 namespace {
 
-void appendTo(std::vector<float>& all, const std::vector<float>& more) { all.insert(all.end(), more.begin(), more.end()); }
+void appendTo(std::vector<float>& all, const std::vector<float>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
 
 // Triples of x, y and z.
 std::vector<float> mirroredAt(std::vector<float> values, double plane) {

@@ -34,6 +34,7 @@ TEST(Axles, AreFoundWhereNamesDifferInTheWordForTheSide) {
   EXPECT_EQ(found({"axle 1 right", "axle 1 left"}), (Pairs{{"axle 1 left", "axle 1 right"}}));
   EXPECT_EQ(found({"ABA_L", "ABA_R"}), (Pairs{{"ABA_L", "ABA_R"}}));
   EXPECT_EQ(found({"aba", "aba_right"}), (Pairs{{"aba", "aba_right"}}));
+  EXPECT_EQ(found({"L accélération", "R accélération"}), (Pairs{{"L accélération", "R accélération"}}));
   EXPECT_EQ(found({"left front", "right front", "left rear", "right rear"}),
             (Pairs{{"left front", "right front"}, {"left rear", "right rear"}}));
 }
@@ -44,6 +45,7 @@ TEST(Axles, AreNotFoundWhereNamesLeaveDoubt) {
   EXPECT_EQ(found({"box left", "front left"}), Pairs{});
   EXPECT_EQ(found({"left", "right", "Right"}), Pairs{});
   EXPECT_EQ(found({"axle 1 left", "axle 2 right"}), Pairs{});
+  EXPECT_EQ(found({"aba_lateral", "aba_lateral_right"}), Pairs{});
 }
 
 // What was guessed is said; what was stated needs no word.
@@ -51,7 +53,7 @@ TEST(Axles, ThatWereFoundByNamesAreReported) {
   std::vector<std::string> notes;
   const auto layout = recordOf({"left", "right"});
   axlesOf(layout, {}, notes);
-  EXPECT_THAT(notes, ::testing::ElementsAre(::testing::HasSubstr("'left' and 'right' are taken by their names")));
+  EXPECT_THAT(notes, ::testing::ElementsAre(::testing::HasSubstr("'left' and 'right' are assumed, from their names")));
   notes.clear();
   axlesOf(layout, axleNamesFromText({"left,right"}), notes);
   EXPECT_TRUE(notes.empty());
@@ -72,14 +74,14 @@ TEST(Axles, OfSlowlySampledRecordsTellNoSides) {
   Monitor monitor;
   const auto found = findCandidates(*records::openRecord(file.path(), read), {}, monitor);
   EXPECT_TRUE(found.axles.empty());
-  EXPECT_THAT(found.notes, ::testing::Contains(::testing::HasSubstr("does not show which axle box moves first")));
+  EXPECT_THAT(found.notes, ::testing::Contains(::testing::HasSubstr("too slow to tell which axle box moves first")));
 }
 
 TEST(Axles, ThatCannotBeAreRefused) {
   for (const char* text : {"left", "left,", ",right", "left,left", "a,b,c"})
     EXPECT_THROW(axleNamesFromText({text}), CaseError) << text;
   EXPECT_THROW(found({"a", "b"}, axleNamesFromText({"a,c"})), FileError);
-  EXPECT_THROW(found({"a", "b", "c"}, axleNamesFromText({"a,b", "c,a"})), FileError);
+  EXPECT_THROW(found({"a", "b", "c"}, axleNamesFromText({"a,b", "c,a"})), CaseError);
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ TEST(WholeModel, EqualSidesMoveAsTheHalfModelDoes) {
 }
 
 // The surface of the right side is the left one's mirror image at the track centre, y = -trackCentre, where both sides
-// are equal; its fields are too. The half model, which knows nothing of the other side, says what they are.
+// are equal, and so are its displacements; stresses are the same. The half model, which knows nothing of the other
+// side, says what they are. The inner faces on the plane of the rail's axis are not repeated.
 TEST(WholeModel, PicturesShowTheRightSideAsTheMirrorImageOfTheLeft) {
   auto options = tests::quietly();
   options.snapshots = true;
@@ -74,6 +75,14 @@ TEST(WholeModel, PicturesShowTheRightSideAsTheMirrorImageOfTheLeft) {
     ASSERT_EQ(whole.surface.points[3 * (count + i)], half.surface.points[3 * i]);
     ASSERT_EQ(whole.surface.points[3 * (count + i) + 1], centre - half.surface.points[3 * i + 1]);
   }
+  std::size_t outer = 0;
+  for (const auto part : half.surface.part) outer += !half.surface.partNames[part].ends_with(" cut");
+  EXPECT_EQ(whole.surface.part.size(), half.surface.part.size() + outer);
+  EXPECT_EQ(whole.surface.springs.size(), 2 * half.surface.springs.size());
+  // Corners run the other way round in a mirror image: both outer normals point away from the sleepers' middle.
+  const auto first = half.surface.quads.size();
+  for (std::size_t corner = 0; corner < 4; ++corner)
+    EXPECT_EQ(whole.surface.quads[first + corner], static_cast<int>(count) + half.surface.quads[3 - corner]);
   ASSERT_EQ(whole.snapshots.size(), half.snapshots.size());
   for (std::size_t s = 0; s < half.snapshots.size(); ++s) {
     const auto &both = whole.snapshots[s].displacement, &one = half.snapshots[s].displacement;
@@ -82,6 +91,9 @@ TEST(WholeModel, PicturesShowTheRightSideAsTheMirrorImageOfTheLeft) {
       ASSERT_EQ(both[i], one[i]);
       ASSERT_EQ(both[one.size() + i], i % 3 == 1 ? -one[i] : one[i]);
     }
+    auto stress = half.snapshots[s].vonMises;
+    stress.insert(stress.end(), stress.begin(), stress.begin() + static_cast<std::ptrdiff_t>(count));
+    ASSERT_EQ(whole.snapshots[s].vonMises, stress);
   }
 }
 

@@ -110,16 +110,13 @@ std::unique_ptr<Figure> ratio(const signals::Comparison& c, bool smooth, const S
   return figure;
 }
 
-}  // namespace
-
-namespace {
-
 // Results of one case in two folders have the same name: as many folders stand before it as it takes to tell them
 // apart.
 void addFolders(signals::Comparison& comparison, const std::string& firstFile, const std::string& secondFile) {
-  std::error_code unknown;  // a path that cannot be completed is taken as it is given
-  const auto pathOf = [&](const std::string& file) {
-    return std::filesystem::absolute(file, unknown).lexically_normal();
+  const auto pathOf = [](const std::string& file) {
+    std::error_code unknown;
+    const auto whole = std::filesystem::absolute(file, unknown);
+    return (unknown ? std::filesystem::path(file) : whole).lexically_normal();
   };
   const auto first = pathOf(firstFile), second = pathOf(secondFile);
   if (first.stem() != second.stem() || first.parent_path() == second.parent_path()) return;

@@ -106,7 +106,9 @@ void addCloseUp(SurfacelessWindow& window, const results::RunResult& result, con
     aim(*renderer, {contactAt, 0, 0.0005}, {0.12, -0.97, 0.14}, 0.034);
   else
     aim(*renderer, {contactAt, 0, -0.004}, {0.3, -0.6, 0.75}, 0.045);
-  renderer->AddActor2D(textActor(cut ? "cut at y = 0" : "rail, wheel hidden", 0.03, 0.03, pixels.label, cut));
+  const std::string side = hasBothSides(result.surface) ? "left: " : "";
+  const std::string words = side + (cut ? "cut at y = 0" : "rail, wheel hidden");
+  renderer->AddActor2D(textActor(words, 0.03, 0.03, pixels.label, cut));
   if (!snapshot) return;
   auto bar = newRenderer(window, pixels.barLeft, 1, 0, bodyTop);
   bar->AddActor2D(colourBar(look, {0.08, 0.04, 0.9, 0.83}, pixels.label));

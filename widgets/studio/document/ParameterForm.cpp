@@ -245,7 +245,7 @@ bool ParameterForm::isStated(const ParameterRow& row) const {
          cases::valueText(document_.description(), row.parameter()) != cases::valueText(presets_, row.parameter());
 }
 
-// Of what the right side has of its own both tabs tell, and a search and what is wrong are never hidden.
+// Both tabs show what the right side has of its own; results of a search and errors are always shown.
 bool ParameterForm::isWanted(const ParameterRow& row, const QString& searched) const {
   if ((row.isOnRight() && !isWhole()) || !row.matches(searched)) return false;
   const bool isHidden = !row.isOnRight() && showsRight();

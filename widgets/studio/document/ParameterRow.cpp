@@ -190,7 +190,7 @@ void ParameterRow::showValue() {
 
 QString ParameterRow::withoutEffect() const {
   const auto& description = document_.description();
-  if (isOnRight()) return QString::fromStdString(cases::reasonWithoutRight(description, parameter_));
+  if (isOnRight()) return QString::fromStdString(cases::reasonWithoutRight(description, document_.right(), parameter_));
   if (cases::applies(description, parameter_)) return {};
   return QString::fromStdString(cases::reasonWithoutEffect(description, parameter_));
 }

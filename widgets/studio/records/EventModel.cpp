@@ -48,7 +48,7 @@ detection::SideJudgement sideFromText(const std::string& text, double sureness) 
   using enum detection::RailSide;
   detection::SideJudgement judged;
   for (const auto side : {left, right, both}) {
-    judged.probability.fill(0.5 * (1 - sureness));
+    judged.probability.fill(std::min(0.5 * (1 - sureness), 0.99 * sureness));  // rounded, it may be below a third
     judged.probability[static_cast<std::size_t>(side)] = sureness;
     if (text == detection::toText(side)) return judged;
   }
@@ -127,7 +127,9 @@ int EventModel::nearest(const std::string& onChannel, double metres) const {
     const auto& event = at(row).event;
     const double away = std::abs(event.position - metres);
     if (event.extent > 0) continue;  // a stretch of corrugation is no event
-    if (event.channel == onChannel && away < distance) found = row, distance = away;
+    // What two boxes of a wheelset show is one row, on either channel.
+    const bool isHere = event.channel == onChannel || (event.side && found < 0);
+    if (isHere && away < distance) found = row, distance = away;
   }
   return found;
 }
