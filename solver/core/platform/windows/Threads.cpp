@@ -17,6 +17,14 @@ std::chrono::nanoseconds processorTime() {
   return std::chrono::nanoseconds(100 * (unitsOf(kernel) + unitsOf(user)));
 }
 
+// std::atomic::wait() of GCC 12 looks at the value before it takes its lock, where there is no futex: a wake-up between
+// the two was lost, and one run in six stood still for ever (measured).
+void waitWhile(const std::atomic<unsigned>& value, unsigned old) {
+  ::WaitOnAddress(const_cast<std::atomic<unsigned>*>(&value), &old, sizeof old, INFINITE);
+}
+
+void wakeWaiting(std::atomic<unsigned>& value) { ::WakeByAddressAll(&value); }
+
 // Of the calling thread alone: those that it starts begin at the usual priority.
 void giveWay() { ::SetThreadPriority(::GetCurrentThread(), THREAD_PRIORITY_BELOW_NORMAL); }
 
