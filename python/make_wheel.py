@@ -26,6 +26,8 @@ Root-Is-Purelib: false
 Tag: {tag}
 """
 
+READER = "squat/squat-reader"  # a program: pip leaves it the right to be run
+
 
 def record_of(name, content):
     """A row of RECORD: name, digest, size."""
@@ -48,7 +50,10 @@ def pack(folder, build, version):
     wheel = build / f"squat_studio-{version}-{tag}.whl"
     with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in files.items():
-            archive.writestr(name, content)
+            entry = zipfile.ZipInfo(name, date_time=(1980, 1, 1, 0, 0, 0))
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.external_attr = (0o755 if name == READER else 0o644) << 16
+            archive.writestr(entry, content)
     return wheel
 
 

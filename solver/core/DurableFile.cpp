@@ -37,13 +37,13 @@ void keepPrevious(const std::string& path) {
   const auto previous = path + ".previous";
   removeLeftOvers(previous);
   const auto link = partName(previous);
-  std::error_code linking, ignored;
+  std::error_code linking;
   std::remove(link.c_str());
   fs::create_hard_link(path, link, linking);
   if (!linking)
-    fs::rename(link, previous, ignored);
+    platform::rename(link, previous);
   else if (linking != std::errc::no_such_file_or_directory)
-    fs::rename(path, previous, ignored);  // a file system without links
+    platform::rename(path, previous);  // a file system without links
   // Renaming does nothing where both names stand for one file already (a kill between the two renames of last time).
   std::remove(link.c_str());
 }
@@ -76,9 +76,7 @@ void writeDurably(const std::string& path, std::span<const std::byte> bytes,
   }
   if (verify) verify(part);
   if (previous == Previous::kept) keepPrevious(path);
-  std::error_code renaming;
-  fs::rename(part, path, renaming);
-  if (renaming) cannotWrite(path, renaming, bytes.size());
+  if (const auto renaming = platform::rename(part, path)) cannotWrite(path, renaming, bytes.size());
   remover.armed = false;
   platform::flushFolder(folderOf(path));  // makes the rename itself durable
 }

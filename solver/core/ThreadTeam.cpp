@@ -50,11 +50,11 @@ void StepBarrier::wait() {
   if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == threads_) {
     arrived_.store(0, std::memory_order_relaxed);
     round_.store(round + 1, std::memory_order_release);
-    round_.notify_all();
+    platform::wakeWaiting(round_);
     return;
   }
   if (spinPolicy_.waitFor([&] { return round_.load(std::memory_order_acquire) != round; })) return;
-  while (round_.load(std::memory_order_acquire) == round) round_.wait(round, std::memory_order_acquire);
+  while (round_.load(std::memory_order_acquire) == round) platform::waitWhile(round_, round);
 }
 
 StepBarrier::StepBarrier(int threads, const CoreContention& contention)

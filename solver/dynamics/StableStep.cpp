@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -47,7 +48,7 @@ class Accelerations {
   // Forces at random, as large in proportion as what they move.
   AlignedVector anyForce() const {
     AlignedVector force(inverse_.size(), 0.0);
-    unsigned long seed = 88172645463325252UL;
+    std::uint64_t seed = 88172645463325252U;
     for (std::size_t i = 0; i < force.size(); ++i) {
       seed ^= seed << 13, seed ^= seed >> 7, seed ^= seed << 17;
       const double value = static_cast<double>(seed >> 11) / 9007199254740992.0 - 0.5;

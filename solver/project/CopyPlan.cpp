@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 bool isReadable(const fs::path& file) {
   std::error_code none;
-  return fs::is_regular_file(file, none) && platform::mayRead(file);
+  return fs::is_regular_file(file, none) && platform::mayRead(file.string());
 }
 
 // A copy may go to a file system that takes "Dip.h5" and "dip.h5" for one name.
@@ -158,11 +158,11 @@ class Planner {
   }
 
   std::string placeRewritten(const fs::path& path, const std::string& profile) {
-    const std::string name = fs::path(profile).filename();
-    const std::string text = renamedProfile(path, profile, name);
+    const std::string name = fs::path(profile).filename().string();
+    const std::string text = renamedProfile(path.string(), profile, name);
     if (text.empty()) {
       plan_.problems.push_back(path.string() + " still names its profile by its full path, " + profile);
-      return place(path, "cases");
+      return place(path.string(), "cases");
     }
     if (path == plan_.project.open.path) {
       auto open = cases::parseUnfinishedCase(plan_.project.open.toml, plan_.project.open.name);
@@ -177,14 +177,14 @@ class Planner {
   }
 
   bool isFree(const fs::path& to, const fs::path& from) const {
-    const auto found = taken_.find(folded(to));
+    const auto found = taken_.find(folded(to.string()));
     return found == taken_.end() || found->second == from;
   }
 
   // A profile may belong to several cases: it may be there already.
   std::string add(const fs::path& from, const fs::path& to, const std::string& text = {}) {
-    if (taken_.emplace(folded(to), from).second) plan_.files.push_back({from, to, text});
-    return placed_[from] = folder_ + "/" + to.string();
+    if (taken_.emplace(folded(to.string()), from).second) plan_.files.push_back({from.string(), to.generic_string(), text});
+    return placed_[from.string()] = folder_ + "/" + to.generic_string();
   }
 
   std::string missing(const std::string& path) {

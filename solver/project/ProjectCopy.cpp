@@ -51,18 +51,18 @@ class PartFolder {
     fs::path path = part_ / name;
     fs::create_directories(path.parent_path(), error);
     if (error) cannotWrite((folder_ / name).string(), error);
-    return path;
+    return path.string();
   }
   void takeName() {
     std::error_code error;
     if (!fs::exists(part_, error)) return;  // no file goes with the project
     for (const auto& each : fs::recursive_directory_iterator(part_))
-      if (each.is_directory()) platform::flushFolder(each.path());
-    platform::flushFolder(part_);
-    fs::rename(part_, folder_, error);
+      if (each.is_directory()) platform::flushFolder(each.path().string());
+    platform::flushFolder(part_.string());
+    error = platform::rename(part_.string(), folder_.string());
     if (error) cannotWrite(folder_.string(), error);
     renamed_ = true;
-    platform::flushFolder(folder_.parent_path());
+    platform::flushFolder(folder_.parent_path().string());
   }
   void keep() { kept_ = true; }
 

@@ -146,9 +146,16 @@ class Line {
   std::size_t axis_ = 0, present_ = 0;
 };
 
-// In the child.
-void sendExactly(const std::string& path, const std::vector<ExactColumn>& columns, std::size_t samples,
-                 const results::ByteSink& send) {
+}  // namespace
+
+void sendExactly(results::ReaderArguments& arguments, const results::ByteSink& send) {
+  const auto path = arguments.text();
+  const std::size_t samples = arguments.number();
+  std::vector<ExactColumn> columns(arguments.number());
+  for (auto& column : columns) {
+    column.path = arguments.text();
+    column.take = static_cast<Take>(arguments.number());
+  }
   const Handle file = results::hdf5::openTruncated(path);
   check(file.get(), path, "", "is not an HDF5 file, or a damaged one");
   std::error_code ignored;
@@ -166,8 +173,6 @@ void sendExactly(const std::string& path, const std::vector<ExactColumn>& column
   results::sendEnd(send);
 }
 
-}  // namespace
-
 std::unique_ptr<results::ArrayStream> streamExactly(const std::string& path, const std::vector<ExactColumn>& columns,
                                                     std::size_t samples) {
   results::ChildLimits limits;
@@ -177,8 +182,10 @@ std::unique_ptr<results::ArrayStream> streamExactly(const std::string& path, con
     limits.memory += std::size_t{72} << 20;
     limits.seconds += samples / (column.take == Take::direction ? 200000 : 2000000);
   }
-  return std::make_unique<results::ColumnPieces>(
-      path, columns.size(), limits, [=](const results::ByteSink& send) { sendExactly(path, columns, samples, send); });
+  results::ReaderCall call{"RCM-DX columns"};
+  call.text(path).number(samples).number(columns.size());
+  for (const auto& column : columns) call.text(column.path).number(static_cast<std::uint64_t>(column.take));
+  return std::make_unique<results::ColumnPieces>(path, columns.size(), limits, call);
 }
 
 }  // namespace squat::rcmdx

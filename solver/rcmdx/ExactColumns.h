@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "results/ArrayStream.h"
+#include "results/ReaderCall.h"
 
 namespace squat::rcmdx {
 
@@ -29,9 +30,12 @@ struct ExactColumn {
   Take take = Take::number;
 };
 
-// All columns have `samples` values; not-a-number where the file is cut off. The library works in a child process, as
-// in results::streamHdf5. next() throws FileError.
+// All columns have `samples` values; not-a-number where the file is cut off. The library works in a program of its own,
+// as in results::streamHdf5. next() throws FileError.
 std::unique_ptr<results::ArrayStream> streamExactly(const std::string& path, const std::vector<ExactColumn>& columns,
                                                     std::size_t samples);
+
+// In the reading program: "RCM-DX columns".
+void sendExactly(results::ReaderArguments& arguments, const results::ByteSink& send);
 
 }  // namespace squat::rcmdx

@@ -11,6 +11,11 @@ void sendKind(const ByteSink& send, char kind) { send(std::as_bytes(std::span(&k
 
 }  // namespace
 
+void sendTree(const ArrayTree& tree, const ByteSink& send) {
+  sendKind(send, kTree);
+  encodeTree(tree, send);
+}
+
 void sendPiece(const ByteSink& send, std::size_t count, std::size_t columns, const ColumnValues& values) {
   const std::uint64_t samples = count;
   sendKind(send, kPiece);
@@ -44,12 +49,8 @@ bool ColumnPieces::next(std::vector<std::vector<double>>& columns) {
 }
 
 ArrayTree treeFromChild(const std::string& path, const ChildLimits& limits, std::size_t largestBytes, bool listed,
-                        const std::function<ArrayTree()>& read) {
-  GuardedChild child(path, limits, [&](const ByteSink& send) {
-    const auto tree = read();
-    sendKind(send, kTree);
-    encodeTree(tree, send);
-  });
+                        const ReaderCall& call) {
+  GuardedChild child(path, limits, call);
   child.receiveKind();
   try {
     auto tree =

@@ -6,63 +6,26 @@
 #include <utility>
 
 #include "core/Errors.h"
-#include "results/Hdf5Handle.h"
+#include "results/ReaderProgram.h"
 
 namespace squat::results {
 
-namespace {
-
-void workInChild(const GuardedChild::Work& work, const ByteSink& send) {
-  const auto sendText = [&](const std::string& text) { send(std::as_bytes(std::span(text))); };
-  try {
-    work(send);
-  } catch (const FileError& error) {
-    sendText(std::string(1, GuardedChild::refused) + error.location() + '\n' + error.what());
-  } catch (...) {
-    sendText(std::string(1, GuardedChild::refused) + "\nneeds more memory than allowed");
-  }
-}
-
-}  // namespace
-
-GuardedChild::GuardedChild(std::string path, const ChildLimits& limits, Work work)
-    : path_(std::move(path)), limits_(limits), work_(std::move(work)) {
-  start();
-}
-
-void GuardedChild::start() {
-  const auto work = [this](const ByteSink& send) { workInChild(work_, send); };
-  const auto error = [&] {
-    const auto lock = hdf5::lockLibrary();  // so that the child finds the library at rest
-    return child_.start(work, {limits_.memory, limits_.seconds});
-  }();
-  if (error) throw FileError(path_, "", "cannot be read: " + error.message());
-}
-
-void GuardedChild::awaitFirstByte() {
-  using Waited = platform::ForkedReader::Waited;
-  constexpr int replacements = 2;
-  for (int replaced = 0; !hasBegun_ && replaced < replacements;) {
-    const double before = child_.secondsComputed();
-    const auto waited = child_.wait(std::chrono::milliseconds(limits_.patience));
-    if (waited == Waited::untilBytes) break;
-    if (waited == Waited::interrupted || child_.secondsComputed() > before) continue;
-    child_.end();
-    start();
-    ++replaced;
-  }
-  hasBegun_ = true;
-}
-
-std::size_t GuardedChild::receive(std::span<std::byte> wanted) {
-  awaitFirstByte();
-  return child_.receive(wanted);
+GuardedChild::GuardedChild(std::string path, const ChildLimits& limits, const ReaderCall& call,
+                           const std::filesystem::path& program)
+    : path_(std::move(path)) {
+  const auto question = questionOf(call, {limits.memory, limits.seconds});
+  const auto reader = program.empty() ? readerProgram() : program;
+  if (reader.empty())
+    throw FileError(path_, "", "cannot be read: the program squat-reader is missing, which stands beside the others",
+                    "Install Squat Studio again");
+  if (const auto error = child_.start(reader, question))
+    throw FileError(path_, "", "cannot be read: squat-reader does not start: " + error.message());
 }
 
 char GuardedChild::receiveKind() {
   char kind = 0;
   if (receive(std::as_writable_bytes(std::span(&kind, 1))) != 1) died();
-  if (kind != refused) return kind;
+  if (kind != kRefused) return kind;
   std::string text(4096, '\0');
   text.resize(receive(std::as_writable_bytes(std::span(text))));
   const auto split = std::min(text.find('\n'), text.size());
@@ -74,7 +37,7 @@ char GuardedChild::receiveKind() {
 }
 
 void GuardedChild::died() {
-  // A child that is still alive has sent what makes no sense; it may be waiting for us to read on.
+  // One that is still alive has sent what makes no sense; it may be waiting for us to read on.
   if (!child_.hasEnded()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   const bool endedByItself = child_.hasEnded();
   child_.kill();

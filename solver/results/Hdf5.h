@@ -42,10 +42,11 @@ inline constexpr const char* slashInName = "\u2215";
 // Reads an untrusted file. Refused with FileError naming the object: external storage, links other
 // than hard ones, virtual layouts, filters other than shuffle, deflate and checksum, extents beyond the limits or
 // beyond what the file can hold, types other than numbers and text. The library itself is old and not proof against
-// damaged files: the work is done in a child process with limits on memory and time, whose death is a FileError here.
+// damaged files: the work is done in a program of its own with limits on memory and time, whose death is a FileError
+// here.
 ArrayTree readHdf5(const std::string& path, const Hdf5Limits& limits = {});
 
-// The same without the child process, for files that this process has just written.
+// The same without the other program, for files that this process has just written.
 ArrayTree readOwnHdf5(const std::string& path, const Hdf5Limits& limits = {});
 
 }  // namespace squat::results

@@ -106,9 +106,12 @@ class Dataset {
   std::vector<double> values_, sorted_;
 };
 
-// In the child.
-void sendHdf5Columns(const std::string& path, const std::vector<ArrayColumn>& columns, std::size_t samples,
-                     const ByteSink& send) {
+}  // namespace
+
+void sendHdf5Columns(ReaderArguments& arguments, const ByteSink& send) {
+  const auto path = arguments.text();
+  const std::size_t samples = arguments.number();
+  const auto columns = takeColumns(arguments);
   const Handle file = hdf5::openTruncated(path);
   check(file.get(), path, "", "is not an HDF5 file, or a damaged one");
   std::error_code ignored;
@@ -129,8 +132,6 @@ void sendHdf5Columns(const std::string& path, const std::vector<ArrayColumn>& co
   sendEnd(send);
 }
 
-}  // namespace
-
 ArrayTree listHdf5(const std::string& path) { return readHdf5(path, foreign()); }
 
 std::unique_ptr<ArrayStream> streamHdf5(const std::string& path, const std::vector<ArrayColumn>& columns,
@@ -144,8 +145,9 @@ std::unique_ptr<ArrayStream> streamHdf5(const std::string& path, const std::vect
     limits.memory += (std::size_t{64} << 20) + 24 * std::min(pieceValues, count * pieceSamples);
     limits.seconds += samples / 2000000 * count;
   }
-  return std::make_unique<ColumnPieces>(path, columns.size(), limits,
-                                        [=](const ByteSink& send) { sendHdf5Columns(path, columns, samples, send); });
+  ReaderCall call{"HDF5 columns"};
+  putColumns(call.text(path).number(samples), columns);
+  return std::make_unique<ColumnPieces>(path, columns.size(), limits, call);
 }
 
 }  // namespace squat::results

@@ -23,7 +23,7 @@ namespace squat::results {
 namespace {
 
 constexpr std::size_t kListed = 4096;                    // values that come with a listed array
-constexpr std::size_t kLargest = std::size_t{4} << 30;   // [bytes] of values in a child process
+constexpr std::size_t kLargest = std::size_t{4} << 30;   // [bytes] of values in the reading program
 constexpr std::size_t kWhole = std::size_t{384} << 20;   // [bytes] of a file that is read whole
 constexpr std::size_t kLibrary = std::size_t{64} << 20;  // [bytes] that the library itself needs
 constexpr std::size_t kObjects = 20000, kDepth = 8, kRank = 4;
@@ -192,7 +192,7 @@ std::string textOf(const std::string& path, const std::string& name, mat_t* file
   return text::utf8FromUtf16(characters);
 }
 
-// In the child.
+// In the reading program.
 ArrayTree treeOf(const std::string& path, std::size_t valuesUpTo) {
   ArrayTree tree;
   std::size_t bytes = 0;
@@ -227,12 +227,20 @@ ArrayTree guardedTree(const std::string& path, std::size_t valuesUpTo) {
   // What honest unpacking takes, as of HDF5 files.
   const ChildLimits limits{2 * kWhole + kLibrary, 2 + std::min(fileBytes, 4 * kWhole) / 5000000};
   return treeFromChild(path, limits, 2 * kWhole, valuesUpTo != static_cast<std::size_t>(-1),
-                       [&] { return treeOf(path, valuesUpTo); });
+                       ReaderCall{"MATLAB tree"}.text(path).number(valuesUpTo));
 }
 
-// In the child.
-void sendMatlabColumns(const std::string& path, const std::vector<ArrayColumn>& columns, std::size_t samples,
-                       const ByteSink& send) {
+}  // namespace
+
+void sendMatlabTree(ReaderArguments& arguments, const ByteSink& send) {
+  const auto path = arguments.text();
+  sendTree(treeOf(path, arguments.number()), send);
+}
+
+void sendMatlabColumns(ReaderArguments& arguments, const ByteSink& send) {
+  const auto path = arguments.text();
+  const std::size_t samples = arguments.number();
+  const auto columns = takeColumns(arguments);
   std::map<std::string, std::vector<double>> arrays;
   for (const auto& column : columns) arrays[column.path];
   const Handler handle = [&](const std::string& name, mat_t* file, matvar_t* array) {
@@ -257,21 +265,6 @@ void sendMatlabColumns(const std::string& path, const std::vector<ArrayColumn>& 
   sendEnd(send);
 }
 
-}  // namespace
-
-bool isMatlabFile(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return false;
-  std::array<char, 128> head{};
-  std::ifstream in(path, std::ios::binary);
-  in.read(head.data(), head.size());
-  if (in.gcount() != static_cast<std::streamsize>(head.size())) return false;
-  const std::string_view text(head.data(), head.size());
-  // The byte order stands behind the version, 0x0100; 7.3 has 0x0200.
-  return text.substr(0, 10) == "MATLAB 5.0" &&
-         ((text.substr(126) == "IM" && text[125] == 1) || (text.substr(126) == "MI" && text[124] == 1));
-}
-
 ArrayTree readMatlabFile(const std::string& path) { return guardedTree(path, static_cast<std::size_t>(-1)); }
 ArrayTree listMatlabFile(const std::string& path) { return guardedTree(path, kListed); }
 
@@ -285,8 +278,9 @@ std::unique_ptr<ArrayStream> streamMatlabFile(const std::string& path, const std
     limits.memory += 2 * bytes;
     limits.seconds += bytes / 16000000;
   }
-  return std::make_unique<ColumnPieces>(path, columns.size(), limits,
-                                        [=](const ByteSink& send) { sendMatlabColumns(path, columns, samples, send); });
+  ReaderCall call{"MATLAB columns"};
+  putColumns(call.text(path).number(samples), columns);
+  return std::make_unique<ColumnPieces>(path, columns.size(), limits, call);
 }
 
 }  // namespace squat::results

@@ -1,5 +1,5 @@
 // solver/results/TreeStream.h - an ArrayTree as a stream of bytes: exact, quick, every section with its checksum.
-// Used by checkpoints and between the guarded reader and its child process. Little-endian, this program's own:
+// Used by checkpoints and between the programs of a guarded reader. Little-endian, this program's own:
 //   "SQTREE01", then sections of [kind u8][length u64][payload][CRC-32 of the payload u32];
 //   kind 1 root attributes, 2 group, 3 array, 0 end (its payload is the number of sections before it).
 #pragma once

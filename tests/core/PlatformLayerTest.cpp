@@ -12,11 +12,11 @@
 #include <thread>
 
 #include "TemporaryFolder.h"
+#include "core/platform/ChildProgram.h"
 #include "core/platform/Clock.h"
 #include "core/platform/CommandOutput.h"
 #include "core/platform/Cores.h"
 #include "core/platform/File.h"
-#include "core/platform/ForkedReader.h"
 #include "core/platform/Memory.h"
 #include "core/platform/OwnFolder.h"
 #include "core/platform/Process.h"
@@ -117,42 +117,53 @@ TEST(UtcDate, ofTheFirstSecondOf2020) {
   EXPECT_EQ(date.tm_hour, 0);
 }
 
-TEST(ForkedReader, receivesWhatItsChildSends) {
-  ForkedReader reader;
-  ASSERT_FALSE(reader.start([](const ForkedReader::Send& send) { send(bytesOf("found")); }, {1U << 24U, 10}));
+// The shell is asked, and its standard output comes here.
+ChildProgram& asked(ChildProgram& child, const std::string& question) {
+  const auto error = child.start("/bin/sh", bytesOf(question));
+  EXPECT_FALSE(error) << error.message();
+  return child;
+}
+
+TEST(ChildProgram, sendsWhatItIsAskedFor) {
+  ChildProgram child;
   std::string text(100, ' ');
-  text.resize(reader.receive(std::as_writable_bytes(std::span(text))));
+  text.resize(asked(child, "printf found").receive(std::as_writable_bytes(std::span(text))));
   EXPECT_EQ(text, "found");
-  reader.waitForEnd();
-  EXPECT_TRUE(reader.hasEnded());
-  EXPECT_FALSE(reader.wasStopped());
+  child.waitForEnd();
+  EXPECT_TRUE(child.hasEnded());
+  EXPECT_FALSE(child.wasStopped());
 }
 
-// What the work throws must not unwind the parent's code in the child, whose locks and files it would remove.
-TEST_F(PlatformLayer, aChildWhoseWorkThrowsEndsThere) {
-  ForkedReader reader;
-  const auto fails = [](const ForkedReader::Send&) { throw std::runtime_error("inside"); };
-  try {
-    ASSERT_FALSE(reader.start(fails, {1U << 24U, 10}));
-  } catch (const std::runtime_error&) {
-    std::ofstream(folder_ / "unwound") << "by the child";
-    ::_exit(3);
-  }
-  std::string text(10, ' ');
-  EXPECT_EQ(reader.receive(std::as_writable_bytes(std::span(text))), 0U);
-  reader.waitForEnd();
-  EXPECT_FALSE(fs::exists(folder_ / "unwound"));
+TEST(ChildProgram, isEndedWhereItSendsNothing) {
+  ChildProgram child;
+  asked(child, "exec sleep 3600");
+  EXPECT_FALSE(child.hasEnded());
+  child.kill();
+  EXPECT_TRUE(child.hasEnded());
+  EXPECT_TRUE(child.wasStopped());
 }
 
-TEST(ForkedReader, stopsAChildThatSendsNothing) {
-  ForkedReader reader;
-  const auto sleep = [](const ForkedReader::Send&) { std::this_thread::sleep_for(std::chrono::hours(1)); };
-  ASSERT_FALSE(reader.start(sleep, {1U << 24U, 10}));
-  EXPECT_EQ(reader.wait(std::chrono::milliseconds(10)), ForkedReader::Waited::inVain);
-  EXPECT_FALSE(reader.hasEnded());
-  reader.kill();
-  EXPECT_TRUE(reader.hasEnded());
-  EXPECT_TRUE(reader.wasStopped());
+// One that ends without reading: writing to it must not end this process.
+TEST(ChildProgram, mayEndBeforeItHasReadItsQuestion) {
+  ChildProgram child;
+  asked(child, "exit 0\n" + std::string(4 << 20, '#'));
+  child.waitForEnd();
+  EXPECT_FALSE(child.wasStopped());
+}
+
+TEST(ChildProgram, isNoneWhereItDoesNotStart) {
+  ChildProgram child;
+  EXPECT_TRUE(child.start("/no/such/program", {}));
+  EXPECT_TRUE(child.hasEnded());
+}
+
+// Locks are files that the program must not hold on.
+TEST_F(PlatformLayer, aChildProgramInheritsNoFile) {
+  File file(folder_ / "file", File::Access::replace);
+  ChildProgram child;
+  std::string text(1000, ' ');
+  text.resize(asked(child, "ls -l /proc/self/fd").receive(std::as_writable_bytes(std::span(text))));
+  EXPECT_EQ(text.find("/file"), std::string::npos) << text;
 }
 
 }  // namespace

@@ -1,111 +1,123 @@
-// A child process that reads files: what it sends, how it ends, and what happens where it never begins.
+// A program that reads files for this one: what it sends, how it ends, and that it ends with this one.
 #include "results/GuardedChild.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <ctime>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <string>
 #include <vector>
 
 #include "core/Errors.h"
-#include "core/platform/FileLock.h"
+#include "core/platform/Process.h"
+#include "results/ArrayStream.h"
 
 namespace squat::results {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::HasSubstr;
 
-class Children : public ::testing::Test {
+const fs::path program = SQUAT_READER_OF_TESTS;
+
+class Readers : public ::testing::Test {
  protected:
-  Children() { fs::remove(begun_); }
-  ~Children() override { fs::remove(begun_); }
+  Readers() { fs::create_directory(folder_); }
+  ~Readers() override { fs::remove_all(folder_); }
 
-  // The first child sleeps without a byte, as one does that waits for a lock which nobody will give back.
-  GuardedChild::Work stuckOnce() const {
-    return [begun = begun_](const ByteSink& send) {
-      if (!fs::exists(begun)) {
-        std::ofstream(begun).flush();  // its size stays zero: children may not write
-        while (true) ::pause();
-      }
-      const std::byte kind{'k'};
-      send(std::span(&kind, 1));
-    };
+  static GuardedChild reader(const ReaderCall& call, std::size_t seconds = 10) {
+    return GuardedChild("a.h5", {std::size_t{64} << 20, seconds}, call, program);
   }
-  static ChildLimits impatient() {
-    ChildLimits limits;
-    limits.memory = std::size_t{64} << 20, limits.patience = 200;
-    return limits;
+  static std::string errorOf(const ReaderCall& call) {
+    try {
+      reader(call, 1).receiveKind();
+    } catch (const FileError& error) {
+      return error.what();
+    }
+    return "no error";
   }
-  const fs::path begun_ = fs::path(testing::TempDir()) / ("begun-" + std::to_string(::getpid()));
+  const fs::path folder_ = fs::path(testing::TempDir()) / ("readers-" + std::to_string(::getpid()));
 };
 
-TEST_F(Children, AreReplacedWhereTheyAreStuckBeforeTheFirstByte) {
-  GuardedChild child("a.h5", impatient(), stuckOnce());
+// More than a pipe or a socket holds, both ways.
+TEST_F(Readers, SendWhatTheyAreAskedFor) {
+  const std::string text(3 << 20, 'x');
+  auto child = reader(ReaderCall{"echo"}.text(text));
   EXPECT_EQ(child.receiveKind(), 'k');
-  EXPECT_TRUE(fs::exists(begun_)) << "the first one had begun";
+  std::string back(text.size() + 1, ' ');
+  back.resize(child.receive(std::as_writable_bytes(std::span(back))));
+  EXPECT_EQ(back, text);
 }
 
-// A file that takes long: the one child that was started sends its byte after four times the patience.
-TEST_F(Children, AreNotReplacedWhileTheyCompute) {
-  auto limits = impatient();
-  limits.patience = 1000, limits.seconds = 30;
-  const fs::path folder = begun_.string() + "-each";
-  fs::create_directory(folder);
-  GuardedChild child("a.h5", limits, [&](const ByteSink& send) {
-    std::ofstream(folder / std::to_string(::getpid())).flush();
-    while (std::clock() < 4 * CLOCKS_PER_SEC) {
-    }
-    const std::byte kind{'k'};
-    send(std::span(&kind, 1));
-  });
-  EXPECT_EQ(child.receiveKind(), 'k');
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1) << "children that began";
-  fs::remove_all(folder);
-}
-
-TEST_F(Children, PassOnTheErrorOfTheirWork) {
-  GuardedChild child("a.h5", impatient(), [](const ByteSink&) { throw FileError("a.h5", "/signals", "is cut off"); });
+TEST_F(Readers, PassOnTheErrorOfTheirWork) {
   try {
-    child.receiveKind();
+    reader({"refuse"}).receiveKind();
     FAIL() << "no error";
   } catch (const FileError& error) {
     EXPECT_EQ(error.location(), "/signals");
+    EXPECT_THAT(error.what(), HasSubstr("is cut off"));
   }
 }
 
-// The reader is killed while its child has more to send than a pipe holds (64 KiB, pipe(7)). A child that lived on
-// would hold the lock that it was forked with, and no other process could use the folder.
-TEST_F(Children, EndWhereTheirReaderIsKilled) {
-  const std::string path = begun_.string() + "-lock";
-  const pid_t reader = ::fork();
-  if (reader == 0) {
-    const platform::FileLock lock(path);
-    GuardedChild child("a.h5", impatient(), [](const ByteSink& send) { send(std::vector<std::byte>(1 << 20)); });
+TEST_F(Readers, ThatDieAreAnError) { EXPECT_THAT(errorOf({"crash"}), HasSubstr("reading it was stopped")); }
+TEST_F(Readers, ThatComputeForEverAreEnded) { EXPECT_THAT(errorOf({"compute for ever"}), HasSubstr("too long")); }
+TEST_F(Readers, OfAnotherVersionAreAnError) { EXPECT_THAT(errorOf({"dance"}), HasSubstr("another version")); }
+
+TEST_F(Readers, ThatAreMissingAreAnError) {
+  EXPECT_THROW(GuardedChild("a.h5", {}, {"echo"}, folder_ / "missing"), FileError);
+}
+
+// A sanitizer reserves terabytes of addresses, so that the limit is left out there.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST_F(Readers, TakeNoMoreMemoryThanAllowed) {
+  EXPECT_EQ(reader(ReaderCall{"take memory"}.number(std::size_t{32} << 20)).receiveKind(), 'k');
+  EXPECT_THAT(errorOf(ReaderCall{"take memory"}.number(std::size_t{1} << 30)), HasSubstr("more memory than allowed"));
+}
+#endif
+
+TEST_F(Readers, WriteNoFile) {
+  const auto path = folder_ / "written";
+  errorOf(ReaderCall{"write a file"}.text(path.string()));
+  EXPECT_TRUE(!fs::exists(path) || fs::file_size(path) == 0);
+}
+
+// Who asked is killed while its reader has more to send than a socket holds.
+TEST_F(Readers, EndWhereWhoAskedIsKilled) {
+  const pid_t asking = ::fork();
+  if (asking == 0) {
+    auto child = reader(ReaderCall{"say who and send much"}.text(folder_.string()));
     std::byte first{};
     child.receive(std::span(&first, 1));
-    std::ofstream(begun_).flush();
     while (true) ::pause();
   }
   const auto within = [](const auto& holds) {
     for (int wait = 0; wait < 2000 && !holds(); ++wait) ::usleep(10000);  // 20 s: the machine may be busy
     return holds();
   };
-  EXPECT_TRUE(within([&] { return fs::exists(begun_); }));
-  EXPECT_TRUE(platform::FileLock(path).isTaken());
-  ::kill(reader, SIGKILL);
-  ::waitpid(reader, nullptr, 0);
-  EXPECT_TRUE(within([&] { return platform::FileLock(path).held(); }));
-  fs::remove(path);
+  EXPECT_TRUE(within([&] { return !fs::is_empty(folder_); }));
+  const auto process = std::stol(fs::directory_iterator(folder_)->path().filename().string());
+  EXPECT_TRUE(platform::isRunning(process));
+  ::kill(asking, SIGKILL);
+  ::waitpid(asking, nullptr, 0);
+  EXPECT_TRUE(within([&] { return !platform::isRunning(process); }));
 }
 
-TEST_F(Children, ThatDieAreAnError) {
-  GuardedChild child("a.h5", impatient(), [](const ByteSink&) { ::raise(SIGSEGV); });
-  EXPECT_THROW(child.receiveKind(), FileError);
+TEST(ReaderCall, GivesItsArgumentsBack) {
+  ReaderCall call{"work"};
+  putColumns(call.text("\xc3\xa4").number(7), {{"/a", 1, 2, false}, {"", 0, 1, true}});
+  ReaderArguments arguments(call.arguments);
+  EXPECT_EQ(arguments.text(), "\xc3\xa4");
+  EXPECT_EQ(arguments.number(), 7U);
+  const auto columns = takeColumns(arguments);
+  ASSERT_EQ(columns.size(), 2U);
+  EXPECT_EQ(columns[0].path, "/a");
+  EXPECT_EQ(columns[0].run, 1U);
+  EXPECT_EQ(columns[0].runs, 2U);
+  EXPECT_FALSE(columns[0].samplesFirst);
+  EXPECT_TRUE(columns[1].samplesFirst);
+  EXPECT_THROW(arguments.number(), std::out_of_range);
 }
 
 }  // namespace

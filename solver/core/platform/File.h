@@ -41,6 +41,9 @@ class File {
   std::error_code openingError_;
 };
 
+// Gives a file or folder another name; a file that had the name is gone then.
+std::error_code rename(const std::string& from, const std::string& to);
+
 // Makes durable that files in it were made, renamed or removed. Some file systems refuse, no harm.
 void flushFolder(const std::string& folder);
 

@@ -1,6 +1,7 @@
 // solver/core/platform/Threads.h - the calling thread and the core that it runs on.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 
 namespace squat::platform {
@@ -20,6 +21,10 @@ inline void pauseOfAWait() {
   asm volatile("isb");  // `yield` does nothing on most of these processors; this takes about as long as x86's pause
 #endif
 }
+
+// Sleeps while `value` is `old`, until wakeWaiting(); may return before.
+void waitWhile(const std::atomic<unsigned>& value, unsigned old);
+void wakeWaiting(std::atomic<unsigned>& value);
 
 // The calling thread, and those that it starts from here on, let the others of the machine go first.
 void giveWay();

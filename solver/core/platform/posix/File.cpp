@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <filesystem>
 
 namespace squat::platform {
 
@@ -71,6 +72,12 @@ std::error_code File::close() {
   const int result = ::close(number_);
   number_ = -1;
   return result == 0 ? std::error_code() : lastError();
+}
+
+std::error_code rename(const std::string& from, const std::string& to) {
+  std::error_code error;
+  std::filesystem::rename(from, to, error);
+  return error;
 }
 
 void flushFolder(const std::string& folder) {

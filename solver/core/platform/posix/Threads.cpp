@@ -21,6 +21,9 @@ std::chrono::nanoseconds processorTime() {
   return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
+void waitWhile(const std::atomic<unsigned>& value, unsigned old) { value.wait(old, std::memory_order_acquire); }
+void wakeWaiting(std::atomic<unsigned>& value) { value.notify_all(); }
+
 // Linux keeps the value for each thread.
 void giveWay() {
   constexpr int politeness = 5;
