@@ -183,7 +183,8 @@ class Planner {
 
   // A profile may belong to several cases: it may be there already.
   std::string add(const fs::path& from, const fs::path& to, const std::string& text = {}) {
-    if (taken_.emplace(folded(to.string()), from).second) plan_.files.push_back({from.string(), to.generic_string(), text});
+    if (taken_.emplace(folded(to.string()), from).second)
+      plan_.files.push_back({from.string(), to.generic_string(), text});
     return placed_[from.string()] = folder_ + "/" + to.generic_string();
   }
 
