@@ -170,7 +170,8 @@ TEST(Sides, TheClosestEventsArePaired) {
 
 // A user who has seen something on one channel speaks for both; two labels are two defects.
 TEST(Sides, LabelledEventsStay) {
-  auto found = twoChannels({eventWith(10, 50, 1), eventWith(20, 50, 1)}, {eventWith(10.1, 20, -1), eventWith(20.1, 20, -1)});
+  auto found =
+      twoChannels({eventWith(10, 50, 1), eventWith(20, 50, 1)}, {eventWith(10.1, 20, -1), eventWith(20.1, 20, -1)});
   found.channels[1].events[0].label = found.channels[0].events[1].label = found.channels[1].events[1].label = Label{};
   judgeSides(found, AxleSides(knownExamples()));
   ASSERT_EQ(found.channels[0].events.size(), 1U);

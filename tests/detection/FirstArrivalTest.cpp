@@ -58,7 +58,8 @@ TEST(FirstArrival, KnowsTheNoiseAhead) {
   for (std::size_t i = 0; i < samples; ++i) one.values[i] += a[i], other.values[i] += b[i];
   const auto arrival = firstArrival(one, other, anchor, pace);
   ASSERT_TRUE(arrival);
-  for (const double noise : arrival->noise) EXPECT_NEAR(noise, 9 * 13 / perSecond * (1 + 1.0 / 40), 0.25 * 9 * 13 / perSecond);
+  for (const double noise : arrival->noise)
+    EXPECT_NEAR(noise, 9 * 13 / perSecond * (1 + 1.0 / 40), 0.25 * 9 * 13 / perSecond);
   EXPECT_GT(arrival->energy[0] - arrival->noise[0], 4 * std::abs(arrival->energy[1] - arrival->noise[1]));
 }
 
