@@ -93,6 +93,20 @@ class Detect(unittest.TestCase):
                 self.assertAlmostEqual(one.position, other.position, places=6)
                 self.assertAlmostEqual(one.score, other.score, places=6)
 
+    def test_the_first_of_two_axle_boxes_to_move_has_the_defect(self):
+        aba = record()[:, 1]
+        later = numpy.concatenate([numpy.zeros(8), 0.9 * aba[:-8]])  # 1.6 ms
+        arrays = {"left [m/s2]": aba, "right [m/s2]": later}
+        found = squat.detect(arrays, rate=5000, speed=30)
+        squats = [event for event in found if event.kind == "squat"]
+        self.assertGreaterEqual(len(squats), 6)
+        self.assertEqual({event.side for event in squats}, {"left"})
+        self.assertTrue(all(event.side_sureness >= 0.8 for event in squats))
+        turned = squat.detect(arrays, rate=5000, speed=30, axle=("right", "left"))
+        self.assertEqual({event.side for event in turned if event.kind == "squat"}, {"right"})
+        alone = squat.detect(arrays, rate=5000, speed=30, axle=[])
+        self.assertEqual({event.side for event in alone}, {None})
+
     def test_one_array_with_a_rate(self):
         found = squat.detect(record()[:, 1].copy(), rate=5000, speed=30)  # one sample in 0.2 ms
         self.assertEqual([event.kind for event in found], [event.kind for event in self.events])
