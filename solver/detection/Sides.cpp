@@ -11,7 +11,7 @@ namespace squat::detection {
 namespace {
 
 constexpr double samePlace = 0.3;  // [m] between the events of two channels
-constexpr double surely = 0.8;     // probability of a side below which no event is left out for it
+constexpr double sureSide = 0.8;   // probability of a side below which no event is left out for it
 
 void judgeEvents(std::vector<Event>& events, RailSide own, const AxleSides& sides) {
   for (auto& event : events) {
@@ -56,10 +56,10 @@ std::vector<Pair> pairsOf(const std::vector<Event>& left, const std::vector<Even
 // Where each says as surely that it is of its own rail, there are two defects.
 std::optional<RailSide> crosstalkOf(Event& left, Event& right) {
   const auto judged = left.side->sureness() >= right.side->sureness() ? *left.side : *right.side;
-  if (judged.sureness() < surely || judged.side() == RailSide::both) return std::nullopt;
+  if (judged.sureness() < sureSide || judged.side() == RailSide::both) return std::nullopt;
   const auto own = judged.side() == RailSide::left ? RailSide::right : RailSide::left;  // of the crosstalk's channel
   auto &kept = own == RailSide::right ? left : right, &other = own == RailSide::right ? right : left;
-  if (other.side->side() == own && other.side->sureness() >= surely) return std::nullopt;
+  if (other.side->side() == own && other.side->sureness() >= sureSide) return std::nullopt;
   kept.side = judged;
   return own;
 }
