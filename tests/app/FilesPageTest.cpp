@@ -27,7 +27,9 @@ TEST(FilesPage, HasEveryColumnOfWrittenTables) {
   FilesPage page(kManual + "files.md");
   EXPECT_THAT(page.notSaid("estimates.csv", estimation::estimatesText({})), IsEmpty());
   EXPECT_THAT(page.notSaid("squats.csv", detection::detectionCsv({})), IsEmpty());
-  EXPECT_THAT(page.notSaid("examples.csv", detection::examplesText({})), IsEmpty());
+  detection::Example passage;  // of a whole model
+  passage.arrival = {{1, 0.1}};
+  EXPECT_THAT(page.notSaid("examples.csv", detection::examplesText({passage})), IsEmpty());
   EXPECT_THAT(page.notSaid("validation.csv", statements::judgedCsv({})), IsEmpty());
   EXPECT_THAT(page.notSaid("validation_parameters.csv", statements::parametersCsv({})), IsEmpty());
   statements::SensitivityTable sensitivity;
@@ -54,6 +56,7 @@ TEST(FilesPage, HasEveryKeyOfWrittenJson) {
   detection::CombinedEvent squat{{}, {0}, 0};
   squat.event.kind = detection::Kind::squat, squat.event.reason = "a reason";
   squat.event.latitude = squat.event.longitude = 1;
+  squat.event.side = detection::SideJudgement{{0.9, 0.05, 0.05}};
   report.events.push_back(squat);
   EXPECT_THAT(page.notSaidOfJson("squats.json", detection::detectionJson(report)), IsEmpty());
   EXPECT_THAT(page.notSeen(), IsEmpty());
