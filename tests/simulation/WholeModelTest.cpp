@@ -75,14 +75,16 @@ TEST(WholeModel, PicturesShowTheRightSideAsTheMirrorImageOfTheLeft) {
     ASSERT_EQ(whole.surface.points[3 * (count + i)], half.surface.points[3 * i]);
     ASSERT_EQ(whole.surface.points[3 * (count + i) + 1], centre - half.surface.points[3 * i + 1]);
   }
-  std::size_t outer = 0;
-  for (const auto part : half.surface.part) outer += !half.surface.partNames[part].ends_with(" cut");
-  EXPECT_EQ(whole.surface.part.size(), half.surface.part.size() + outer);
+  std::vector<std::size_t> outer;
+  for (std::size_t quad = 0; quad < half.surface.part.size(); ++quad)
+    if (!half.surface.partNames[half.surface.part[quad]].ends_with(" cut")) outer.push_back(quad);
+  ASSERT_EQ(whole.surface.part.size(), half.surface.part.size() + outer.size());
   EXPECT_EQ(whole.surface.springs.size(), 2 * half.surface.springs.size());
-  // Corners run the other way round in a mirror image: both outer normals point away from the sleepers' middle.
-  const auto first = half.surface.quads.size();
-  for (std::size_t corner = 0; corner < 4; ++corner)
-    EXPECT_EQ(whole.surface.quads[first + corner], static_cast<int>(count) + half.surface.quads[3 - corner]);
+  // Corners run the other way round in a mirror image, so that both normals point outwards.
+  for (std::size_t i = 0; i < outer.size(); ++i)
+    for (std::size_t corner = 0; corner < 4; ++corner)
+      ASSERT_EQ(whole.surface.quads[half.surface.quads.size() + 4 * i + corner],
+                static_cast<int>(count) + half.surface.quads[4 * outer[i] + 3 - corner]);
   ASSERT_EQ(whole.snapshots.size(), half.snapshots.size());
   for (std::size_t s = 0; s < half.snapshots.size(); ++s) {
     const auto &both = whole.snapshots[s].displacement, &one = half.snapshots[s].displacement;
