@@ -43,6 +43,10 @@ Hats rimHatsAt(double angle) {
   return {k, 1 - (position - k), position - k};
 }
 
+bool isIn(const elasticity::SweptBlock& block, std::size_t index) {
+  return index >= block.offset && index < block.offset + block.size();
+}
+
 }  // namespace
 
 CoarseSpace::CoarseSpace(const model::Model& model, const model::StaticOperator& op)
@@ -63,6 +67,9 @@ CoarseSpace::CoarseSpace(const model::Model& model, const model::StaticOperator&
     ofOneSleeper = lines_.back().modes * static_cast<int>(lines_.back().knots.size());
   }
   placeWheelset();
+  for (const auto index : model.fixed)
+    if (isIn(model.blocks[model.rail], index) || isIn(model.blocks[model.rim], index))
+      fixedOnRailAndRim_.push_back(index);
   cosine_.resize(model.blocks.size()), sine_.resize(model.blocks.size()), rimShare_.resize(model.blocks.size());
   const auto& w = model.scenario.wheelset;
   for (const int b : {model.rim, model.body}) {
@@ -269,7 +276,7 @@ void CoarseSpace::prolongWheel(int b, const double* coarse, int part, int parts,
   }
 }
 
-void CoarseSpace::project(ThreadTeam& team, const double* r, Eigen::VectorXd& coarse) const {
+Eigen::VectorXd CoarseSpace::resultantsOf(ThreadTeam& team, const double* r) const {
   const int parts = team.size();
   // Fixed halves of the rail, then everything else: sums do not depend on the number of threads.
   Eigen::VectorXd pieces[4] = {Eigen::VectorXd::Zero(unknowns_), Eigen::VectorXd::Zero(unknowns_),
@@ -287,21 +294,27 @@ void CoarseSpace::project(ThreadTeam& team, const double* r, Eigen::VectorXd& co
       }
     }
   });
-  coarse = pieces[0] + pieces[1] + pieces[2] + pieces[3];
+  Eigen::VectorXd coarse = pieces[0] + pieces[1] + pieces[2] + pieces[3];
   for (std::size_t i = 0; i < sprung_.size(); ++i) coarse[sprungFirst_ + static_cast<int>(i)] = r[sprung_[i]];
+  return coarse;
 }
 
-void CoarseSpace::prolong(ThreadTeam& team, const Eigen::VectorXd& coarse, double* z) const {
+void CoarseSpace::prolong(ThreadTeam& team, const Eigen::VectorXd& coarse, double* z, Bodies bodies) const {
   const int parts = team.size();
+  const bool withRail = bodies != Bodies::sleepersAndAxle, withCentre = bodies != Bodies::railAndRim;
   team.run([&](int index) {
-    prolongLine(lines_[0], coarse.data(), index, parts, z);
-    for (std::size_t g = 1; g < lines_.size(); ++g)
+    if (withRail) prolongLine(lines_[0], coarse.data(), index, parts, z);
+    for (std::size_t g = 1; withCentre && g < lines_.size(); ++g)
       if (static_cast<int>(g) % parts == index) prolongLine(lines_[g], coarse.data(), 0, 1, z);
-    prolongWheel(model_.body, coarse.data(), index, parts, z);
-    prolongWheel(model_.rim, coarse.data(), index, parts, z);
+    if (withCentre) prolongWheel(model_.body, coarse.data(), index, parts, z);
+    if (withRail) prolongWheel(model_.rim, coarse.data(), index, parts, z);
   });
-  for (std::size_t i = 0; i < sprung_.size(); ++i) z[sprung_[i]] += coarse[sprungFirst_ + static_cast<int>(i)];
-  for (const auto index : model_.fixed) z[index] = 0;
+  for (std::size_t i = 0; withCentre && i < sprung_.size(); ++i)
+    z[sprung_[i]] += coarse[sprungFirst_ + static_cast<int>(i)];
+  if (bodies == Bodies::all)
+    for (const auto index : model_.fixed) z[index] = 0;
+  if (bodies == Bodies::railAndRim)
+    for (const auto index : fixedOnRailAndRim_) z[index] = 0;
 }
 
 int CoarseSpace::sourceFor(int i, const std::vector<int>& ofOneColour) const {
@@ -328,7 +341,7 @@ bool CoarseSpace::assemble(model::StaticOperator& op, Monitor& monitor) {
   return isDone;
 }
 
-bool CoarseSpace::assemble(ThreadTeam& team, const Product& product, Monitor& monitor) {
+bool CoarseSpace::assemble(ThreadTeam& team, const Product& product, Monitor& monitor, const Known* known) {
   std::vector<std::vector<int>> groups;
   for (int j = 0; j < unknowns_; ++j) {
     if (placed_[j].colour >= static_cast<int>(groups.size())) groups.resize(placed_[j].colour + 1);
@@ -336,16 +349,21 @@ bool CoarseSpace::assemble(ThreadTeam& team, const Product& product, Monitor& mo
   }
   matrix_ = Eigen::MatrixXd::Zero(unknowns_, unknowns_);
   AlignedVector u(model_.stateSize, 0.0), result(model_.stateSize, 0.0);
-  Eigen::VectorXd coarse;
+  std::size_t products = 0;
   for (const auto& group : groups) {
     if (group.empty()) continue;
     if (monitor.cancelled()) return false;
+    if (const std::size_t here = products++; known && known->isSame[here]) {
+      for (int i = 0; i < unknowns_; ++i)
+        if (const int j = sourceFor(i, group); j >= 0) matrix_(i, j) = known->space.matrix_(i, j);
+      continue;
+    }
     Eigen::VectorXd source = Eigen::VectorXd::Zero(unknowns_);
     for (const int j : group) source[j] = 1;
     std::fill(u.begin(), u.end(), 0.0);
     prolong(team, source, u.data());
     product(u.data(), result.data());
-    project(team, result.data(), coarse);
+    const Eigen::VectorXd coarse = resultantsOf(team, result.data());
     for (int i = 0; i < unknowns_; ++i)
       if (const int j = sourceFor(i, group); j >= 0) matrix_(i, j) = coarse[i];
   }
@@ -431,10 +449,12 @@ void CoarseSpace::factorise(std::span<const forces::ForceElements* const> contac
 }
 
 CoarseSpace::Correction CoarseSpace::correctionOf(ThreadTeam& team, const double* r) const {
-  Eigen::VectorXd projected;
-  project(team, r, projected);
-  Correction correction{factor_.solve(projected)};
-  correction.product = projected.dot(correction.y);
+  return correctionOf(resultantsOf(team, r));
+}
+
+CoarseSpace::Correction CoarseSpace::correctionOf(const Eigen::VectorXd& resultants) const {
+  Correction correction{factor_.solve(resultants)};
+  correction.product = resultants.dot(correction.y);
   return correction;
 }
 

@@ -29,7 +29,13 @@ class CoarseSpace {
   bool assemble(model::StaticOperator& op, Monitor& monitor);
   // The same of any K that couples what that of the model couples: writes K u into the result (u, result).
   using Product = std::function<void(double*, double*)>;
-  bool assemble(ThreadTeam& team, const Product& product, Monitor& monitor);
+  // `known`: another space of the same hats that is assembled already, and for which products, in their order, its
+  // columns are those of this one. Those products are not computed.
+  struct Known {
+    const CoarseSpace& space;
+    const std::vector<bool>& isSame;
+  };
+  bool assemble(ThreadTeam& team, const Product& product, Monitor& monitor, const Known* known = nullptr);
   const Eigen::MatrixXd& stiffness() const { return matrix_; }
   // Adds the share of contact springs and factorises.
   void factorise(std::span<const forces::ForceElements* const> contacts);
@@ -40,8 +46,13 @@ class CoarseSpace {
     double product = 0;
   };
   Correction correctionOf(ThreadTeam& team, const double* r) const;
-  // z += Z y.
-  void prolong(ThreadTeam& team, const Eigen::VectorXd& y, double* z) const;
+  // The same by Z^T r, for who has it.
+  Correction correctionOf(const Eigen::VectorXd& resultants) const;
+  Eigen::VectorXd resultantsOf(ThreadTeam& team, const double* r) const;
+  // z += Z y, zero where unknowns are fixed. Of some bodies alone: rail and rim, or all that reaches the track centre,
+  // of which what is fixed is left to the caller.
+  enum class Bodies { all, railAndRim, sleepersAndAxle };
+  void prolong(ThreadTeam& team, const Eigen::VectorXd& y, double* z, Bodies bodies = Bodies::all) const;
 
  private:
   // Hats along a line-swept block; local axes (a, b, c), rotations about the knot at the section's middle.
@@ -58,7 +69,6 @@ class CoarseSpace {
     int colour = 0;
     double place = 0;  // track: x [m]; rim: knot
   };
-  void project(ThreadTeam& team, const double* r, Eigen::VectorXd& coarse) const;
   Eigen::VectorXd projectSparse(const forces::ForceElements& springs, std::size_t spring) const;
 
   void addLineGroup(int block, double spacing, int shapes, int firstColour, int distance);
@@ -78,7 +88,7 @@ class CoarseSpace {
   std::vector<double> axleKnots_;
   double rimMiddle_ = 0;  // [m] radius
   int axleFirst_ = 0, rimFirst_ = 0, sprungFirst_ = 0, unknowns_ = 0;
-  std::vector<std::size_t> sprung_;
+  std::vector<std::size_t> sprung_, fixedOnRailAndRim_;
   std::vector<std::vector<double>> cosine_, sine_;  // per block around the axis: of the stations as placed
   std::vector<std::vector<double>> rimShare_;       // per block: of each section node in the rim's hats
   Eigen::MatrixXd matrix_;

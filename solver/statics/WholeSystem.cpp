@@ -4,8 +4,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/OrderedSum.h"
-
 namespace squat::statics {
 
 namespace {
@@ -35,10 +33,13 @@ WholeSystem::WholeSystem(const model::Model& left, const model::Model& right, co
     halves_.push_back({*model, std::make_unique<model::StaticOperator>(*model, kernels, team, rotation, 0, true), at});
   centre_.push_back(axleCentre(left));
   for (int i = 0; i < left.sleepers; ++i) centre_.push_back(sleeperCentre(left, left.firstSleeper + i));
+  const Terms turn = model::hubTurn(left), lateral = model::ringLateral(left, left.bearing);
   // Both halves of a half model's spring.
-  between_.add(meanOf(model::hubTurn(left), offset, 1), 2 * rotationStiffness, 0);
+  between_.add(meanOf(turn, offset, 1), 2 * rotationStiffness, 0);
   // Both suspensions along the wheelset's lateral motion.
-  between_.add(meanOf(model::ringLateral(left, left.bearing), offset, -1),
+  for (const auto* terms : {&turn, &lateral})
+    for (const auto& term : *terms) coupled_.push_back(term.first);
+  between_.add(meanOf(lateral, offset, -1),
                left.scenario.suspension.lateralStiffness + right.scenario.suspension.lateralStiffness, 0);
 }
 
@@ -113,27 +114,43 @@ void WholeSystem::applyToKind(const Kind& kind, double* u, double* result) {
   apply(both_.data(), pushed_.data());
   const double *onLeft = pushed_.data(), *onRight = rightOf(pushed_.data());
   for (std::size_t i = 0; i < n; ++i) result[i] = onLeft[i] + kind.sign * onRight[i];
-  for (const std::size_t index : kind.held) result[index] = 0;
 }
 
-std::unique_ptr<WholeSystem::Kind> WholeSystem::assembled(model::Centre centre, Monitor& monitor) {
-  auto kind = std::make_unique<Kind>(halves_[0].model, centre);
-  kind->coarse.emplace(kind->model, *halves_[0].op);
-  const bool isDone = kind->coarse->assemble(
-      team_, [&](double* u, double* result) { applyToKind(*kind, u, result); }, monitor);
-  return isDone ? std::move(kind) : nullptr;
+bool WholeSystem::reachesCentre(const double* u, const double* result) const {
+  const auto moves = [u](std::size_t index) { return u[index] != 0; };
+  const auto isFelt = [&](std::size_t index) { return u[index] != 0 || result[index] != 0; };
+  return std::any_of(coupled_.begin(), coupled_.end(), moves) ||
+         std::any_of(kinds_.begin(), kinds_.end(),
+                     [&](const auto& kind) { return std::any_of(kind->held.begin(), kind->held.end(), isFelt); });
 }
 
+// Of hats that do not reach the centre, both kinds have the same columns: the antisymmetric kind takes them from the
+// symmetric one.
 bool WholeSystem::assemble(Monitor& monitor) {
   std::array<forces::ForceElements, 2> kept;
   for (std::size_t i = 0; i < 2; ++i) kept[i] = std::exchange(halves_[i].op->contactSprings(), {});
   both_.assign(size(), 0.0), pushed_.assign(size(), 0.0);
-  for (auto& field : field_) field.assign(halves_[0].model.stateSize, 0.0);
-  kinds_[0] = assembled(model::Centre::symmetric, monitor);
-  kinds_[1] = kinds_[0] ? assembled(model::Centre::antisymmetric, monitor) : nullptr;
+  for (const auto& [kind, centre] :
+       {std::pair{0, model::Centre::symmetric}, std::pair{1, model::Centre::antisymmetric}}) {
+    kinds_[kind] = std::make_unique<Kind>(halves_[0].model, centre);
+    kinds_[kind]->coarse.emplace(kinds_[kind]->model, *halves_[0].op);
+  }
+  std::vector<bool> isSame;
+  AlignedVector asked;
+  const auto product = [&](const Kind& kind) {
+    return [&](double* u, double* result) {
+      asked.assign(u, u + kind.model.stateSize);
+      applyToKind(kind, u, result);
+      if (&kind == kinds_[0].get()) isSame.push_back(!reachesCentre(asked.data(), result));
+      for (const std::size_t index : kind.held) result[index] = 0;
+    };
+  };
+  const CoarseSpace::Known known{*kinds_[0]->coarse, isSame};
+  const bool isDone = kinds_[0]->coarse->assemble(team_, product(*kinds_[0]), monitor) &&
+                      kinds_[1]->coarse->assemble(team_, product(*kinds_[1]), monitor, &known);
   for (std::size_t i = 0; i < 2; ++i) halves_[i].op->contactSprings() = std::move(kept[i]);
   both_ = {}, pushed_ = {};
-  return kinds_[1] != nullptr;
+  return isDone;
 }
 
 void WholeSystem::factorise() {
@@ -142,37 +159,34 @@ void WholeSystem::factorise() {
   for (auto& kind : kinds_) kind->coarse->factorise(contacts);
 }
 
-template <typename Work>
-void WholeSystem::forEachInBoth(const Work& work) const {
-  orderedSum(team_, halves_[0].model.stateSize, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) work(i);
-    return 0.0;
-  });
-}
-
+// Symmetric motions answer to the sum of the forces on both sides, antisymmetric ones to their difference.
 CoarseSpace::Correction WholeSystem::correctionOf(const double* r) const {
-  auto &s = field_[0], &a = field_[1];
-  const double* right = rightOf(r);
-  forEachInBoth([&](std::size_t i) { s[i] = r[i] + right[i], a[i] = r[i] - right[i]; });
-  const auto symmetric = kinds_[0]->coarse->correctionOf(team_, s.data());
-  const auto antisymmetric = kinds_[1]->coarse->correctionOf(team_, a.data());
+  const auto& coarse = *kinds_[0]->coarse;  // the hats of both kinds are the same
+  const auto left = coarse.resultantsOf(team_, r), right = coarse.resultantsOf(team_, rightOf(r));
+  const auto symmetric = kinds_[0]->coarse->correctionOf(left + right);
+  const auto antisymmetric = kinds_[1]->coarse->correctionOf(left - right);
   CoarseSpace::Correction both{Eigen::VectorXd(symmetric.y.size() + antisymmetric.y.size()),
                                symmetric.product + antisymmetric.product};
   both.y << symmetric.y, antisymmetric.y;
   return both;
 }
 
+// The kinds differ only where they meet the centre: rail and rim take both at once.
 void WholeSystem::prolong(const Eigen::VectorXd& y, double* z) const {
-  for (std::size_t k = 0; k < 2; ++k) {
-    auto& field = field_[k];
-    forEachInBoth([&](std::size_t i) { field[i] = 0; });
-    const auto& coarse = *kinds_[k]->coarse;
-    coarse.prolong(team_, k == 0 ? y.head(coarse.size()) : y.tail(coarse.size()), field.data());
-    for (const std::size_t index : kinds_[k]->held) field[index] = 0;
-  }
-  const auto &s = field_[0], &a = field_[1];
-  double* right = rightOf(z);
-  forEachInBoth([&](std::size_t i) { z[i] += s[i] + a[i], right[i] += s[i] - a[i]; });
+  using enum CoarseSpace::Bodies;
+  const Eigen::Index count = kinds_[0]->coarse->size();
+  const Eigen::VectorXd symmetric = y.head(count), antisymmetric = y.tail(count);
+  kinds_[0]->coarse->prolong(team_, symmetric + antisymmetric, z, railAndRim);
+  kinds_[0]->coarse->prolong(team_, symmetric - antisymmetric, rightOf(z), railAndRim);
+  std::vector<double> kept;
+  for (const auto& kind : kinds_)
+    for (double* side : {z, rightOf(z)}) {
+      kept.clear();
+      for (const std::size_t index : kind->held) kept.push_back(side[index]);
+      const double sign = side == z ? 1 : kind->sign;
+      kind->coarse->prolong(team_, sign * (kind == kinds_[0] ? symmetric : antisymmetric), side, sleepersAndAxle);
+      for (std::size_t i = 0; i < kept.size(); ++i) side[kind->held[i]] = kept[i];
+    }
 }
 
 }  // namespace squat::statics

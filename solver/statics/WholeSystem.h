@@ -44,21 +44,20 @@ class WholeSystem : public StaticSystem {
     std::vector<std::size_t> held;  // unknowns that do not move
     std::optional<CoarseSpace> coarse;
   };
-  std::unique_ptr<Kind> assembled(model::Centre centre, Monitor& monitor);
   void joinAs(const model::CentreNodes& centre, double* state) const;
-  // K of all in terms of one side's motion of a kind.
+  // K of all in terms of one side's motion of a kind; what is held is held in u, not yet in the result.
   void applyToKind(const Kind& kind, double* u, double* result);
+  // Whether the kinds differ for this u, of which `result` is K u.
+  bool reachesCentre(const double* u, const double* result) const;
   double* rightOf(double* state) const { return state + halves_.back().offset; }
   const double* rightOf(const double* state) const { return state + halves_.back().offset; }
-  template <typename Work>
-  void forEachInBoth(const Work& work) const;  // by all threads; work(i) of every unknown of a half
 
   elasticity::KernelSet kernels_;
   std::vector<model::CentreNodes> centre_;      // where the halves meet
   forces::ForceElements between_;               // unknowns of both halves
   std::array<std::unique_ptr<Kind>, 2> kinds_;  // symmetric, antisymmetric
   AlignedVector both_, pushed_;                 // of applyToKind
-  mutable std::array<AlignedVector, 2> field_;  // of one side, symmetric and antisymmetric
+  std::vector<std::size_t> coupled_;            // unknowns of one side that between_ reaches
 };
 
 }  // namespace squat::statics
