@@ -105,12 +105,13 @@ std::string ofTwoBoxes() {
   return text;
 }
 
-// What both boxes feel is one row each, on the rail whose box moves first.
+// A squat that both boxes feel is one row, on the rail whose box moves first. (The dip of a weld, a metre long, begins
+// too slowly for 1.6 ms to be seen.)
 TEST(ShippedRecord, OfTwoAxleBoxesIsThatOfTheFirstToMove) {
   const tests::TemporaryFile file(ofTwoBoxes());
   const auto report = detected(file.path());
   for (const auto& laid : truth()) {
-    if (laid.kind == Kind::flat) continue;
+    if (laid.kind != Kind::squat) continue;
     std::vector<const Event*> here;
     for (const auto& combined : report.events)
       if (std::abs(combined.event.position - laid.position) < 0.5) here.push_back(&combined.event);
