@@ -28,13 +28,19 @@ def severity(length, depth):
     return next((i for i, (long, deep) in enumerate(LIMITS) if length <= long and depth <= deep), 2)
 
 
-def passages(folder):
-    """Kind, length [mm], depth [mm], speed [m/s], positions, accelerations."""
+def all_boxes(folder):
+    """Kind, length [mm], depth [mm], speed [m/s], positions, accelerations: a column for each axle box."""
     for path in sorted(folder.glob("*.csv")):
         with path.open() as file:
             head = re.match(r"# (\S+), (\S+) mm x (\S+) mm, (\S+) m/s", file.readline())
             values = numpy.loadtxt(file, delimiter=",", skiprows=1)
-        yield head[1], float(head[2]), float(head[3]), float(head[4]), values[:, 1], values[:, 2]
+        yield head[1], float(head[2]), float(head[3]), float(head[4]), values[:, 1], values[:, 2:]
+
+
+def passages(folder):
+    """The same, with the accelerations of the first axle box alone."""
+    for *known, accelerations in all_boxes(folder):
+        yield *known, accelerations[:, 0]
 
 
 def noise(rng, count, sigma):

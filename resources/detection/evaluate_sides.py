@@ -11,7 +11,6 @@ evaluate_detection.py. Needs Python 3, NumPy and squat.
 import argparse
 import csv
 import pathlib
-import re
 import subprocess
 
 import numpy
@@ -21,18 +20,9 @@ import evaluate_detection as one_channel
 SIDES = ("left", "right", "both")
 
 
-def passages(folder):
-    """Kind, speed [m/s], positions, accelerations on the side of the defect and on the other one."""
-    for path in sorted(folder.glob("*.csv")):
-        with path.open() as file:
-            head = re.match(r"# (\S+), (\S+) mm x (\S+) mm, (\S+) m/s", file.readline())
-            values = numpy.loadtxt(file, delimiter=",", skiprows=1)
-        yield head[1], float(head[2]), float(head[3]), float(head[4]), values[:, 1], values[:, 2:4]
-
-
 def record(folder, sigma, path, rng, spectra):
     """Writes the record; place, kind, length, depth and side of what is in it, and its speed."""
-    defects = list(passages(folder))
+    defects = list(one_channel.all_boxes(folder))
     speed, rate = defects[0][3], one_channel.RATE
     signal = numpy.zeros((int((30 + 15.7 * len(defects)) / speed * rate), 2))
     truth = []

@@ -26,9 +26,9 @@ std::optional<std::size_t> otherChannel(const std::vector<Axle>& axles, std::siz
 // "none", or LEFT,RIGHT of each axle; an empty list gives nothing. Throws CaseError for other texts.
 AxleNames axleNamesFromText(const std::vector<std::string>& texts);
 
-// Without names, two channels are one axle where their names differ in the word left or l, right or r alone ("axle 1
-// left"), or where one has the word right more than the other ("aba", "aba_right"); a note says of each axle that it
-// was found by its names. Throws FileError for a name that no channel has, CaseError for a channel of two axles.
+// Without names, two channels are one axle where their names differ only in the words left (or l) and right (or r), or
+// where one has the word right in addition ("aba", "aba_right"); a note says of each axle that its names decided.
+// Throws FileError for a name that no channel has, CaseError for a channel of two axles.
 std::vector<Axle> axlesOf(const records::RecordLayout& layout, const AxleNames& names, std::vector<std::string>& notes);
 
 }  // namespace squat::detection

@@ -1,6 +1,5 @@
 #include "detection/Examples.h"
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
@@ -22,12 +21,11 @@ constexpr std::array shapeNames{std::pair{scenario::DefectShape::cosine, "cosine
                                 std::pair{scenario::DefectShape::dipWithWave, "dip-with-wave"},
                                 std::pair{scenario::DefectShape::profile, "profile"}};
 
-std::string headLine(bool withArrivals) {
+std::string headLine() {
   std::string head = "kind,vehicle,length [mm],depth [mm],speed [m/s],offset [mm],weight";
   for (const auto& band : detectionBands()) head += ",energy " + band.name + " [m2/s3]";
-  head += ",before,reach [m],shape,middle height,wave length [mm],wave depth [mm],waves";
-  if (withArrivals) head += ",first arrival [m2/s3],first arrival other side [m2/s3]";
-  return head + '\n';
+  return head + ",before,reach [m],shape,middle height,wave length [mm],wave depth [mm],waves" +
+         ",first arrival [m2/s3],first arrival other side [m2/s3]\n";
 }
 
 double numberAt(const std::vector<std::string>& row, std::size_t column, const std::string& path, std::size_t line) {
@@ -92,8 +90,7 @@ Example exampleFrom(const std::vector<std::string>& row, const std::string& path
 }  // namespace
 
 std::string examplesText(const std::vector<Example>& examples) {
-  const bool withArrivals = std::any_of(examples.begin(), examples.end(), [](const Example& e) { return !!e.arrival; });
-  std::string text = headLine(withArrivals);
+  std::string text = headLine();
   for (const auto& example : examples) {
     text += toText(example.kind) + ',' + text::csvField(example.vehicle);
     for (const double value :
@@ -102,7 +99,7 @@ std::string examplesText(const std::vector<Example>& examples) {
     for (const double value : example.energy) text += ',' + text::numberText(value);
     text +=
         ',' + text::numberText(example.before) + ',' + text::numberText(example.reach) + ',' + formText(example.form);
-    for (std::size_t k = 0; withArrivals && k < 2; ++k)
+    for (std::size_t k = 0; k < 2; ++k)
       text += ',' + (example.arrival ? text::numberText((*example.arrival)[k]) : std::string());
     text += '\n';
   }

@@ -18,8 +18,8 @@ namespace squat::detection {
 
 class KindDensity;
 
-// kind, vehicle, length [mm], depth [mm], speed [m/s], offset [mm], weight, energies, before, reach [m], form, and the
-// energies of the first arrival where an example has them.
+// kind, vehicle, length [mm], depth [mm], speed [m/s], offset [mm], weight, energies, before, reach [m], form,
+// energies of the first arrival (empty where an example has none).
 std::string examplesText(const std::vector<Example>& examples);
 // Throws FileError with the line.
 std::vector<Example> readExamples(const std::string& path);
