@@ -69,9 +69,12 @@ void describeRightEquilibrium(const model::Model& right, const statics::Equilibr
 void describeMesh(const model::Model& model, const dynamics::StableStep& stable, double step,
                   results::RunResult& result) {
   const auto quality = model::meshQuality(model);
+  const bool isWhole = model.scenario.extent == scenario::ModelExtent::whole;
+  const double halves = isWhole ? 2 : 1;
   result.meshFigures = {
-      {"elements", "1", "", static_cast<double>(model.elements())},
-      {"nodes", "1", "", static_cast<double>(model.nodeCount())},
+      {"elements", "1", isWhole ? "of both sides" : "", halves * static_cast<double>(model.elements())},
+      {"nodes", "1", isWhole ? "of both sides, those of the centre plane twice" : "",
+       halves * static_cast<double>(model.nodeCount())},
       {"smallest_jacobian", "1", quality.jacobianLocation, quality.smallestJacobian},
       {"largest_aspect", "1", quality.aspectLocation, quality.largestAspect},
       {"stable_step", "s", stable.location, stable.step},

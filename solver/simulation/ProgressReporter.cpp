@@ -27,7 +27,8 @@ void ProgressReporter::onStep(const dynamics::Rolling& rolling) {
   p.simulatedTime = rolling.state().time;
   const double rate = static_cast<double>(done - firstStep_) / std::max(seconds, 1e-3);
   if (seconds > 0.5) p.remainingSeconds = static_cast<double>(std::max(0L, lastStep_ - done)) / std::max(rate, 1e-3);
-  p.elementUpdatesPerSecond = rate * static_cast<double>(rolling.model().elements());
+  for (const auto* side : rolling.sides())
+    p.elementUpdatesPerSecond += rate * static_cast<double>(side->model().elements());
   p.position = rolling.view().position;
   p.contactForce = rolling.view().patch.vertical;
   p.axleBoxAcceleration = signals_.latest(signals::names::axleBox);

@@ -56,6 +56,8 @@ TEST(WholeModel, EqualSidesMoveAsTheHalfModelDoes) {
       EXPECT_EQ(*whole.signal(name), *half.signal(name)) << name;
       EXPECT_EQ(*whole.signal(std::string(name) + "_right"), *half.signal(name)) << name;
     }
+    for (std::size_t i = 0; i < 2; ++i)  // elements and nodes: the mesh has both sides
+      EXPECT_EQ(whole.meshFigures[i].value, 2 * half.meshFigures[i].value) << whole.meshFigures[i].name;
   }
 }
 
