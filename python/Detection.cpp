@@ -19,6 +19,7 @@
 #include "python/Module.h"
 #include "python/Records.h"
 #include "studies/Jobs.h"
+#include "text/Csv.h"
 
 namespace squat::python {
 
@@ -95,7 +96,7 @@ detection::AxleNames axlesFrom(const py::object& axle) {
     if (!py::isinstance<py::tuple>(one) || py::len(one) != 2)
       throw CaseError({{"axle", textOf(py::str(one)), "a tuple of the left and the right channel, or a list", ""}});
     const auto names = py::reinterpret_borrow<py::tuple>(one);
-    texts.push_back(textOf(names[0]) + "," + textOf(names[1]));
+    texts.push_back(text::csvField(textOf(names[0])) + "," + text::csvField(textOf(names[1])));
   }
   return texts.empty() ? detection::axleNamesFromText({"none"}) : detection::axleNamesFromText(texts);
 }

@@ -181,8 +181,9 @@ void addDetectCommand(CLI::App& program, Action& action) {
       ->type_name("CHAINAGE");
   command
       ->add_option("--axle", options->axles,
-                   "Channels of the left and the right axle box of one wheelset: each event is assigned to a side; "
-                   "repeatable; or none (default: channels whose names differ in left and right)")
+                   "Channels of the left and the right axle box of one wheelset: each event is assigned to a side; a "
+                   "name that holds a comma stands in double quotes; repeatable; or none (default: channels whose "
+                   "names differ in left and right)")
       ->allow_extra_args(false)
       ->type_name("LEFT,RIGHT");
   auto* vehicle =

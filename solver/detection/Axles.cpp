@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/Errors.h"
+#include "text/Csv.h"
 #include "text/Text.h"
 
 namespace squat::detection {
@@ -60,7 +61,7 @@ std::vector<Axle> foundByNames(const records::RecordLayout& layout, std::vector<
     notes.push_back("channels '" + layout.channels[left.front()].name + "' and '" +
                     layout.channels[right.front()].name +
                     "' are assumed, from their names, to be the left and the right axle box of one wheelset (--axle "
-                    "LEFT,RIGHT names others, --axle none switches this off)");
+                    "LEFT,RIGHT names others, --axle none switches this off; in the studio under Axle boxes)");
   }
   return axles;
 }
@@ -69,9 +70,10 @@ std::size_t channelOf(const records::RecordLayout& layout, const std::string& na
   std::string all;
   for (std::size_t c = 0; c < layout.channels.size(); ++c) {
     if (layout.channels[c].name == name) return c;
-    all += (all.empty() ? "" : ", ") + layout.channels[c].name;
+    all += (all.empty() ? "" : ", ") + text::csvField(layout.channels[c].name);  // as they are to be given
   }
-  throw FileError(layout.path, "", "has no channel '" + name + "' (given with --axle)", "Its channels: " + all);
+  throw FileError(layout.path, "", "has no channel '" + name + "', which is named as an axle box",
+                  "Its channels: " + all);
 }
 
 }  // namespace
@@ -82,21 +84,6 @@ std::optional<std::size_t> otherChannel(const std::vector<Axle>& axles, std::siz
     if (axle.right == channel) return axle.left;
   }
   return std::nullopt;
-}
-
-AxleNames axleNamesFromText(const std::vector<std::string>& texts) {
-  if (texts.empty()) return std::nullopt;
-  std::vector<std::pair<std::string, std::string>> names;
-  if (texts.size() == 1 && texts.front() == "none") return names;
-  for (const auto& one : texts) {
-    const auto comma = one.find(',');
-    const std::string left(text::trimmed(std::string_view(one).substr(0, comma)));
-    const std::string right(comma == std::string::npos ? "" : text::trimmed(std::string_view(one).substr(comma + 1)));
-    if (left.empty() || right.empty() || left == right || right.find(',') != std::string::npos)
-      throw CaseError({{"axle", one, "none, or LEFT,RIGHT: the names of two channels", ""}});
-    names.emplace_back(left, right);
-  }
-  return names;
 }
 
 std::vector<Axle> axlesOf(const records::RecordLayout& layout, const AxleNames& names,

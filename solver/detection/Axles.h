@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "detection/AxleNames.h"
 #include "records/RecordStream.h"
 
 namespace squat::detection {
@@ -16,15 +16,8 @@ struct Axle {
   std::size_t left = 0, right = 0;
 };
 
-// Names of the left and the right channel of each axle. Empty list: every channel is judged by itself; nothing: axles
-// are found by the names of the channels.
-using AxleNames = std::optional<std::vector<std::pair<std::string, std::string>>>;
-
 // The other channel of the axle that a channel belongs to; nothing: of none.
 std::optional<std::size_t> otherChannel(const std::vector<Axle>& axles, std::size_t channel);
-
-// "none", or LEFT,RIGHT of each axle; an empty list gives nothing. Throws CaseError for other texts.
-AxleNames axleNamesFromText(const std::vector<std::string>& texts);
 
 // Without names, two channels are one axle where their names differ only in the words left (or l) and right (or r), or
 // where one has the word right in addition ("aba", "aba_right"); a note says of each axle that its names decided.

@@ -12,6 +12,7 @@
 #include "core/Errors.h"
 #include "core/ProgramVersion.h"
 #include "results/TreeStream.h"
+#include "text/Csv.h"
 #include "text/Numbers.h"
 
 namespace squat::detection {
@@ -225,7 +226,7 @@ std::string settingsText(const records::RecordOptions& read, const DetectOptions
   if (options.leastShare != 0.9) add("least share", text::numberText(options.leastShare));
   if (options.axles && options.axles->empty()) add("axle", "none");
   if (options.axles)
-    for (const auto& [left, right] : *options.axles) add("axle", left + "," + right);
+    for (const auto& [left, right] : *options.axles) add("axle", text::csvField(left) + "," + text::csvField(right));
   add("column", columns.column);
   add("time column", columns.timeColumn);
   add("position column", columns.positionColumn);

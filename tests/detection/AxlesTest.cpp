@@ -7,6 +7,7 @@
 #include "core/Monitor.h"
 #include "detection/Detect.h"
 #include "readers/TemporaryFile.h"
+#include "text/Csv.h"
 
 namespace squat::detection {
 namespace {
@@ -64,6 +65,33 @@ TEST(Axles, ThatAreNamedCountAloneAndNoneMeansNone) {
   EXPECT_EQ(found({"left", "right"}, axleNamesFromText({"none"})), Pairs{});
 }
 
+// As in a CSV file: what stands in quotes is one name, two quotes are one of it. A quote within a name is no such
+// quote.
+TEST(Axles, NamesInQuotesMayHoldACommaAndQuotes) {
+  const auto named = [](const std::string& text) { return axleNamesFromText({text}).value(); };
+  EXPECT_EQ(named(R"("a,b",c)"), (Pairs{{"a,b", "c"}}));
+  EXPECT_EQ(named(R"( c , "a, b" )"), (Pairs{{"c", "a, b"}}));
+  EXPECT_EQ(named(R"("box ""1"", left","""right""")"), (Pairs{{R"(box "1", left)", R"("right")"}}));
+  EXPECT_EQ(named(R"(5" left,5" right)"), (Pairs{{R"(5" left)", R"(5" right)"}}));
+  EXPECT_EQ(named("a;b,c;d"), (Pairs{{"a;b", "c;d"}}));
+  for (const auto& name : {"a,b", "\"", "\",\"", "a \"b\"", "\"a", "a;b"}) {
+    const auto written = text::csvField(name);
+    EXPECT_EQ(named(written + ",other"), (Pairs{{name, "other"}})) << written;
+    EXPECT_EQ(named("other," + written), (Pairs{{"other", name}})) << written;
+  }
+  EXPECT_EQ(found({"box, left", "box, right"}, axleNamesFromText({R"("box, left","box, right")"})),
+            (Pairs{{"box, left", "box, right"}}));
+}
+
+TEST(Axles, OfOneLineStandBetweenSemicolons) {
+  EXPECT_FALSE(axleNamesFromLine(" "));
+  EXPECT_EQ(axleNamesFromLine(" none ").value(), Pairs{});
+  EXPECT_EQ(axleNamesFromLine("a, b").value(), (Pairs{{"a", "b"}}));
+  EXPECT_EQ(axleNamesFromLine(R"(a,b; "c;1","d,2")").value(), (Pairs{{"a", "b"}, {"c;1", "d,2"}}));
+  for (const char* line : {"a", "a;b", "a,b;", "a,b,c", "a,b;c", ";", "a,b;none"})
+    EXPECT_THROW(axleNamesFromLine(line), CaseError) << line;
+}
+
 // A millisecond, which separates what the other box feels from the impact itself, has two samples at 2 kHz.
 TEST(Axles, OfSlowlySampledRecordsTellNoSides) {
   std::string text = "time [s],left [m/s2],right [m/s2]\n";
@@ -78,10 +106,31 @@ TEST(Axles, OfSlowlySampledRecordsTellNoSides) {
 }
 
 TEST(Axles, ThatCannotBeAreRefused) {
-  for (const char* text : {"left", "left,", ",right", "left,left", "a,b,c"})
+  for (const char* text : {"left", "left,", ",right", "left,left", "a,b,c", R"("a,b)", R"("a"b,c)", R"(a,"b" c)",
+                           R"("a,b")", R"("","b")", R"("a",a)"})
     EXPECT_THROW(axleNamesFromText({text}), CaseError) << text;
   EXPECT_THROW(found({"a", "b"}, axleNamesFromText({"a,c"})), FileError);
   EXPECT_THROW(found({"a", "b", "c"}, axleNamesFromText({"a,b", "c,a"})), CaseError);
+}
+
+// Names with commas and one too many outside quotes: the error says how they are written.
+TEST(Axles, AMessageSaysHowNamesWithCommasAreWritten) {
+  const auto message = [](const auto& call) -> std::string {
+    try {
+      call();
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_THAT(message([] { axleNamesFromText({"box, left,box, right"}); }),
+              ::testing::AllOf(::testing::HasSubstr("axle is box, left,box, right"),
+                               ::testing::HasSubstr(R"(in double quotes: "box, left","box, right")")));
+  EXPECT_THAT(message([] { axleNamesFromText({R"("box, left,right)"}); }), ::testing::HasSubstr("ends with a quote"));
+  EXPECT_THAT(message([] {
+                found({"box, left", "other"}, axleNamesFromText({"box,other"}));
+              }),
+              ::testing::HasSubstr(R"(Its channels: "box, left", other)"));
 }
 
 }  // namespace

@@ -104,6 +104,9 @@ class Detect(unittest.TestCase):
         self.assertTrue(all(event.side_sureness >= 0.8 for event in squats))
         turned = squat.detect(arrays, rate=5000, speed=30, axle=("right", "left"))
         self.assertEqual({event.side for event in turned if event.kind == "squat"}, {"right"})
+        commas = {"box, 1 [m/s2]": aba, "box, 2 [m/s2]": later}
+        named = squat.detect(commas, rate=5000, speed=30, axle=("box, 2", "box, 1"))
+        self.assertEqual({event.side for event in named if event.kind == "squat"}, {"right"})
         alone = squat.detect(arrays, rate=5000, speed=30, axle=[])
         self.assertEqual({event.side for event in alone}, {None})
 
