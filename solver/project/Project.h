@@ -64,6 +64,7 @@ struct LongRecords {
   double speed = 0;                  // [m/s]; 0: from the file
   std::string units;                 // as typed: "aba=g, speed=km/h"; empty: as the files state them
   std::string together;              // several files: "ride", "passes"; empty: as they follow on each other
+  std::string axles;                 // as typed: "none", "left,right"; empty: by the names of the channels
   bool ownVehicle = false;           // judged by the vehicle and track of the open case
   std::string labels;                // file of the user's labels; empty: none
   std::string events;                // file of the list of events, squats.json; empty: not written yet

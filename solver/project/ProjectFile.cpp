@@ -85,6 +85,7 @@ Json jsonOf(const LongRecords& records, const std::string& folder) {
   if (std::any_of(records.digests.begin(), records.digests.end(), isKnown)) json["digests"] = records.digests;
   if (!records.units.empty()) json["units"] = records.units;
   if (!records.together.empty()) json["together"] = records.together;
+  if (!records.axles.empty()) json["axles"] = records.axles;
   if (records.order != TableOrder()) json["order"] = jsonOf(records.order);
   return json;
 }
@@ -174,6 +175,7 @@ LongRecords recordsIn(const JsonNode& node, const std::string& folder) {
   if (node.has("together")) records.together = node.at("together").text();
   if (!records.together.empty() && records.together != "ride" && records.together != "passes")
     node.at("together").fail("must be ride or passes");
+  if (node.has("axles")) records.axles = node.at("axles").text();
   records.ownVehicle = node.at("own_vehicle").flag();
   records.labels = optionalLinkIn(node.at("labels"), folder);
   records.events = optionalLinkIn(node.at("events"), folder);

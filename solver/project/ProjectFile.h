@@ -11,7 +11,8 @@ namespace squat::project {
 // Raise it when an old reader would misread a new file. 2: measured signals with a gain; 3: long records, which an
 // older program would drop when it saves. A file that holds neither is still written as 1. What figures and tables look
 // like (`figures`, `run_order`, `records/order`) raises nothing: an older program shows its own defaults. Nor do
-// digests of records (`records/digests`): an older program notices no change.
+// digests of records (`records/digests`): an older program notices no change; and which channels are axle boxes
+// (`records/axles`): an older program tells no sides.
 inline constexpr int projectSchema = 3;
 
 // The text of a project whose file stands in `folder`: links are relative where both share more than the root, so that

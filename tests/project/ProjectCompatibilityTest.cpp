@@ -40,6 +40,7 @@ void expectTheWork(const Project& project) {
   // What came later has the values of a new project.
   EXPECT_EQ(project.runOrder, TableOrder());
   EXPECT_TRUE(project.records.digests.empty());
+  EXPECT_EQ(project.records.axles, "");
   EXPECT_EQ(project.records.order, TableOrder());
 }
 

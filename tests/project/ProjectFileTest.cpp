@@ -56,6 +56,7 @@ Project everything(const std::string& folder) {
   records.channels = "left, right", records.chainage = "12+300";
   records.speed = 33.3333333333333;
   records.ownVehicle = true;
+  records.axles = "\"box, left\",right; a,b";
   records.labels = folder + "/labels.csv", records.events = folder + "/found/squats.json";
   records.seen = {{12345.678, "left", "severe squat"}, {-3, "right", "weld"}};
   records.digests = {"89abcdef", ""};  // the second one could not be read
@@ -109,6 +110,7 @@ TEST(ProjectFile, whatIsWrittenIsRead) {
   EXPECT_EQ(read.records.files, project.records.files);
   EXPECT_EQ(read.records.speed, project.records.speed);
   EXPECT_EQ(read.records.events, project.records.events);
+  EXPECT_EQ(read.records.axles, project.records.axles);
   ASSERT_EQ(read.records.seen.size(), 2U);
   EXPECT_EQ(read.records.seen[0].position, 12345.678);
   EXPECT_EQ(read.records.seen[1].seenAs, "weld");
@@ -177,6 +179,7 @@ TEST(ProjectFile, saysWhatIsWrongAndWhere) {
   EXPECT_EQ(place("\"/elsewhere/day 2.h5\"", "\"\""), "/records/files/1");
   EXPECT_EQ(place("\"own_vehicle\": true", "\"own_vehicle\": 1"), "/records/own_vehicle");
   EXPECT_EQ(place("\"speed\": 33.3333333333333", "\"speed\": -1"), "/records/speed");
+  EXPECT_EQ(place(R"("axles": "\"box, left\",right; a,b")", R"("axles": 1)"), "/records/axles");
   EXPECT_EQ(place("\"labels.csv\"", "\"labels\\u0000.csv\""), "/records/labels");
   EXPECT_EQ(place("\"found/squats.json\"", "[]"), "/records/events");
   EXPECT_EQ(place("\"position\": 12345.678", "\"position\": 1e13"), "/records/seen/0/position");

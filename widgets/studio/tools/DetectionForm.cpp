@@ -62,10 +62,11 @@ detection::SourceOptions sourceOf(const Search& wanted, const ToolInput& input) 
 }
 
 ToolResult computeSearch(const Search& wanted, const ToolInput& input, Monitor& monitor) {
+  detection::DetectOptions options;
+  options.axles = detection::axleNamesFromLine(wanted.records.axles);
   makeFolder(input.folder);
   const FolderLock owner(input.folder, "Squat Studio, squats in records");
   keepInputs(wanted.records.files, {input.folder + "/squats.csv", input.folder + "/squats.json"});
-  const detection::DetectOptions options;
   ToolResult result;
   auto found = search(wanted, options, monitor);
   if (found.back().cancelled) return result;
@@ -94,6 +95,7 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
     : ToolForm(parent),
       files_(new ButtonedList("Record", tr("&Add…"), tr("Records, one or several of one location"), 2, this)),
       channels_(new QLineEdit(this)),
+      axles_(new QLineEdit(this)),
       chainage_(new QLineEdit(this)),
       labels_(new QLineEdit(this)),
       units_(new QLineEdit(this)),
@@ -101,9 +103,25 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
       together_(new QComboBox(this)),
       own_(new QCheckBox(tr("&Use the vehicle and track of the open case"), this)),
       view_(new RecordView(style, this)) {
+  nameFields();
+  layOutFields();
+  connectParts();
+}
+
+void DetectionForm::nameFields() {
   channels_->setObjectName("channels");
   channels_->setAccessibleName(tr("Channels"));
   channels_->setPlaceholderText(tr("all accelerations; or names of columns, separated by commas"));
+  axles_->setObjectName("axles");
+  axles_->setAccessibleName(tr("Axle boxes"));
+  axles_->setPlaceholderText(
+      tr("automatic (by names); or none, or the names of the left and the right one: left,right"));
+  axles_->setToolTip(
+      tr("Which channels are the left and the right axle box of one wheelset: each of their events then gets its side\n"
+         "nothing typed: channels whose names differ in left and right\n"
+         "left,right: the names of two channels; a semicolon stands between wheelsets\n"
+         "none: every channel by itself\n"
+         "A name that holds a comma or a semicolon stands in double quotes: \"box, left\",\"box, right\""));
   speed_->setObjectName("recordSpeed");
   speed_->setAccessibleName(tr("Speed"));
   speed_->setRange(0, 200);
@@ -126,10 +144,14 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
   together_->addItem(tr("passes over one track"), QStringLiteral("passes"));
   own_->setObjectName("ownVehicle");
   own_->setToolTip(tr("Computes some fifty passages of this vehicle once: severities and sizes become narrower"));
+}
+
+void DetectionForm::layOutFields() {
   auto* labels = new QHBoxLayout;
   auto* browse = textButton(tr("Bro&wse…"), "browseLabels", this);
   labels->addWidget(labels_, 1);
   labels->addWidget(browse);
+  labels->addWidget(own_);
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addRow(tr("Records:"), files_);
@@ -139,23 +161,26 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
   columns->addWidget(new QLabel(tr("in units:"), this));
   columns->addWidget(units_, 1);
   layout->addRow(tr("Channels:"), columns);
+  layout->addRow(tr("Axle boxes:"), axles_);
   auto* where = new QHBoxLayout;
   where->addWidget(speed_);
   where->addWidget(new QLabel(tr("begins at:"), this));
   where->addWidget(chainage_, 1);
   layout->addRow(tr("Speed:"), where);
   layout->addRow(tr("Labels:"), labels);
-  layout->addRow(QString(), own_);
+  connect(browse, &QToolButton::clicked, this, &DetectionForm::askForLabels);
+}
+
+void DetectionForm::connectParts() {
   connect(files_->add(), &QToolButton::clicked, this, &DetectionForm::askForRecords);
   connect(files_->remove(), &QToolButton::clicked, this,
           [this] { delete files_->list()->takeItem(files_->list()->currentRow()); });
-  connect(browse, &QToolButton::clicked, this, &DetectionForm::askForLabels);
   connect(view_, &RecordView::passageRequested, this, &DetectionForm::passageRequested);
   connect(view_, &RecordView::estimateRequested, this, &DetectionForm::estimateRequested);
   connect(view_, &RecordView::labelsSaved, labels_, &QLineEdit::setText);
   connect(view_, &RecordView::failed, this, &ToolForm::failed);
   connect(view_, &RecordView::notDrawn, this, &ToolForm::noted);
-  for (const QLineEdit* each : {channels_, units_, chainage_, labels_})
+  for (const QLineEdit* each : {channels_, axles_, units_, chainage_, labels_})
     connect(each, &QLineEdit::textChanged, this, &DetectionForm::choicesChanged);
   connect(speed_, &QDoubleSpinBox::valueChanged, this, &DetectionForm::choicesChanged);
   connect(together_, &QComboBox::currentIndexChanged, this, &DetectionForm::choicesChanged);
@@ -185,6 +210,7 @@ project::LongRecords DetectionForm::chosen() const {
   kept.speed = speed_->value();
   kept.units = units_->text().trimmed().toStdString();
   kept.together = together_->currentData().toString().toStdString();
+  kept.axles = axles_->text().trimmed().toStdString();
   kept.ownVehicle = own_->isChecked();
   return kept;
 }
@@ -204,6 +230,7 @@ void DetectionForm::setChoices(const project::LongRecords& choices) {
   view_->open(choices);
   if (choices.files.empty()) return;
   channels_->setText(QString::fromStdString(choices.channels));
+  axles_->setText(QString::fromStdString(choices.axles));
   chainage_->setText(QString::fromStdString(choices.chainage));
   labels_->setText(QString::fromStdString(choices.labels));
   speed_->setValue(choices.speed);
@@ -260,6 +287,7 @@ ToolWork DetectionForm::work() {
 
 void DetectionForm::save(QSettings& settings) const {
   settings.setValue("channels", channels_->text());
+  settings.setValue("axles", axles_->text());
   settings.setValue("speed", speed_->value());
   settings.setValue("labels", labels_->text());
   settings.setValue("units", units_->text());
@@ -269,6 +297,7 @@ void DetectionForm::save(QSettings& settings) const {
 
 void DetectionForm::restore(const QSettings& settings) {
   channels_->setText(settings.value("channels").toString());
+  axles_->setText(settings.value("axles").toString());
   speed_->setValue(settings.value("speed").toDouble());
   labels_->setText(settings.value("labels").toString());
   units_->setText(settings.value("units").toString());

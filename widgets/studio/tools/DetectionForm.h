@@ -50,12 +50,15 @@ class DetectionForm : public ToolForm {
   void estimateRequested(const QString& file);
 
  private:
+  void nameFields();
+  void layOutFields();
+  void connectParts();
   project::LongRecords chosen() const;  // without labels and what is seen in the view
   void askForRecords();
   void askForLabels();
 
   ButtonedList* files_;
-  QLineEdit *channels_, *chainage_, *labels_, *units_;
+  QLineEdit *channels_, *axles_, *chainage_, *labels_, *units_;
   QDoubleSpinBox* speed_;
   QComboBox* together_;
   QCheckBox* own_;
