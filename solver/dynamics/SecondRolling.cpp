@@ -108,6 +108,17 @@ double SecondRolling::box(std::size_t side) const {
   });
 }
 
+double SecondRolling::wheelVelocity(std::size_t side) const {
+  return sumOver(side, [](const Kind& kind, const Motion& motion) {
+    double sum = motion.rigidVelocity;
+    for (std::size_t i = 0; i < kind.modes.size(); ++i) {
+      const auto& mode = kind.modes[i];
+      sum += mode.contact * (motion.pairs[i].p[0] - mode.turn * motion.pairs[i].q[1]);
+    }
+    return sum;
+  });
+}
+
 double SecondRolling::boxVelocity(std::size_t side) const {
   return sumOver(side, [](const Kind& kind, const Motion& motion) {
     double sum = kind.boxLever * motion.rigidVelocity;
@@ -117,6 +128,10 @@ double SecondRolling::boxVelocity(std::size_t side) const {
     }
     return sum;
   });
+}
+
+SecondVelocities SecondRolling::velocities(std::size_t side) const {
+  return {wheelVelocity(side), boxVelocity(side), sides_[side].sprungVelocity};
 }
 
 void SecondRolling::start(std::span<const double* const> displaced, std::span<const double* const> velocity) {

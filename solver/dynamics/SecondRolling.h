@@ -23,6 +23,11 @@ struct SecondView {
   double force = 0;            // [N] of the wheel on the rail, down positive
 };
 
+// [m/s] Of the parts of one side, half a step behind the displacements, up positive.
+struct SecondVelocities {
+  double wheel = 0, box = 0, sprung = 0;  // where the wheel touches; of the sprung mass above
+};
+
 class SecondRolling {
  public:
   // Models of all sides, left first; with the step of the time loop. Keeps references.
@@ -41,6 +46,8 @@ class SecondRolling {
   void advance(std::span<double> sprung);
 
   const SecondView& view(std::size_t side) const { return views_[side]; }
+  SecondVelocities velocities(std::size_t side) const;
+  double placeAt(long step) const;  // [m] x of its wheels
 
   // [J] Sums over all sides. Kinetic energy of the present velocities, beyond what the first wheelset's sprung masses,
   // which move at `sprungVelocity` [m/s], have by themselves; modes and springs at the present displacements; contact
@@ -84,8 +91,8 @@ class SecondRolling {
   double sumOver(std::size_t side, const Of& of) const;  // of(kind, motion), with its sign
   double wheel(std::size_t side) const;                  // [m] rise where it touches
   double box(std::size_t side) const;                    // [m]
+  double wheelVelocity(std::size_t side) const;
   double boxVelocity(std::size_t side) const;
-  double placeAt(long step) const;  // [m]
   double heightBelow(std::size_t side, double x, const double* displaced) const;
   void layHeights();
   void advanceMotion(std::size_t kind);

@@ -10,7 +10,8 @@ namespace squat::simulation {
 constexpr double maximumRotation = 1e4, maximumAngularVelocity = 1e5;  // [rad], [rad/s]
 
 // Throws RunError for a value that is not a number, runaway penetration, contact lost for good, an energy balance that
-// does not close, an element turned inside out.
+// does not close, an element turned inside out. The error names the place of the largest value: a node of the mesh, or
+// a part of a bogie's second wheelset, with x [m] from the deepest point of the defect.
 class DivergenceGuard : public StepObserver {
  public:
   // Looks at every `grid`-th step of a sample of `perSample` steps; at all numbers and elements at the steps of the
@@ -25,8 +26,9 @@ class DivergenceGuard : public StepObserver {
 
  private:
   static void checkEverything(const dynamics::Rolling& rolling, AlignedVector& displacement);
-  static void checkSide(const dynamics::Rolling& side, const std::string& where, AlignedVector& displacement);
-  void check(const dynamics::Rolling& side, const std::string& where, double& lastContact);
+  // Of the halves that the first one rolls with, itself among them.
+  static void checkSide(const dynamics::Rolling& first, std::size_t side, AlignedVector& displacement);
+  void check(const dynamics::Rolling& first, std::size_t side);
 
   const EnergyBalance& balance_;
   long perSample_, grid_, firstStep_;

@@ -32,6 +32,15 @@ cases::CaseDescription shortCase() {
   return cases::loadCase(tests::fixtureCase("light-defect"), overrides);
 }
 
+// The second wheelset rolls 2.5 m behind the first one.
+cases::CaseDescription shortBogie() {
+  cases::CaseOverrides overrides;
+  overrides.preset = "tiny";
+  overrides.values = tests::shortSets();
+  overrides.values.insert(overrides.values.end(), {{"bogie.wheelbase", "2.5"}, {"track.length", "7.8"}});
+  return cases::loadCase(tests::fixtureCase("light-defect"), overrides);
+}
+
 class StopInTheMiddle : public Monitor {
  public:
   void report(const Progress& progress) override { stop_ = progress.phase == "rolling" && progress.fraction > 0.4; }
@@ -41,17 +50,20 @@ class StopInTheMiddle : public Monitor {
   bool stop_ = false;
 };
 
-// A good checkpoint from the middle of a run, made once.
+// A good checkpoint from the middle of a run.
+ArrayTree stateInTheMiddle(const cases::CaseDescription& description) {
+  const TemporaryFolder folder;
+  simulation::RunOptions options;
+  options.threads = 1;
+  options.checkpointPath = folder / "run.checkpoint";
+  StopInTheMiddle monitor;
+  simulation::runCase(description, options, monitor);
+  return results::readCheckpoint(options.checkpointPath).value();
+}
+
+// That of the short case, made once.
 const ArrayTree& goodState() {
-  static const ArrayTree state = [] {
-    const TemporaryFolder folder;
-    simulation::RunOptions options;
-    options.threads = 1;
-    options.checkpointPath = folder / "run.checkpoint";
-    StopInTheMiddle monitor;
-    simulation::runCase(shortCase(), options, monitor);
-    return results::readCheckpoint(options.checkpointPath).value();
-  }();
+  static const ArrayTree state = stateInTheMiddle(shortCase());
   return state;
 }
 
@@ -60,14 +72,16 @@ std::vector<double>& numbers(ArrayTree& tree, const std::string& path) {
 }
 
 struct Outcome {
-  std::string error = "none";
-  long step = 0;
+  std::string error = "none", location;
+  long begun = 0, step = 0;
   RunResult partial;
 };
 
 // Resumes from a checkpoint that `change` has spoilt.
-Outcome resume(const TemporaryFolder& folder, const std::function<void(ArrayTree&)>& change) {
-  auto state = goodState();
+Outcome resume(const TemporaryFolder& folder, const cases::CaseDescription& description, ArrayTree state,
+               const std::function<void(ArrayTree&)>& change) {
+  Outcome outcome;
+  outcome.begun = static_cast<long>(numbers(state, "/rolling/scalars")[0]);
   change(state);
   simulation::RunOptions options;
   options.threads = 1;
@@ -75,12 +89,12 @@ Outcome resume(const TemporaryFolder& folder, const std::function<void(ArrayTree
   options.checkpointPath = folder / "run.checkpoint";
   options.checkpointSeconds = 0;  // after every step that is asked
   results::writeCheckpoint(options.checkpointPath, state);
-  Outcome outcome;
   Monitor monitor;
   try {
-    simulation::runCase(shortCase(), options, monitor, &outcome.partial);
+    simulation::runCase(description, options, monitor, &outcome.partial);
   } catch (const RunError& error) {
     outcome.error = error.what();
+    outcome.location = error.location();
     outcome.step = error.step();
   } catch (const FileError& error) {
     outcome.error = error.what();
@@ -88,15 +102,14 @@ Outcome resume(const TemporaryFolder& folder, const std::function<void(ArrayTree
   return outcome;
 }
 
-long storedStep() {
-  auto state = goodState();
-  return static_cast<long>(numbers(state, "/rolling/scalars")[0]);
+Outcome resume(const TemporaryFolder& folder, const std::function<void(ArrayTree&)>& change) {
+  return resume(folder, shortCase(), goodState(), change);
 }
 
 void expectStoppedSoon(const TemporaryFolder& folder, const std::string& what, const Outcome& outcome) {
   EXPECT_THAT(outcome.error, HasSubstr(what));
   EXPECT_THAT(outcome.error, HasSubstr("step"));
-  EXPECT_LE(outcome.step - storedStep(), 500)
+  EXPECT_LE(outcome.step - outcome.begun, 500)
       << "the energy balance is looked at every five output samples of about 80 steps";
   EXPECT_FALSE(outcome.partial.complete);
   EXPECT_THAT(outcome.partial.stopReason, HasSubstr("failed"));
@@ -132,6 +145,44 @@ TEST(Divergence, RunawayPenetrationIsCaught) {
                           }
                       }
                     }));
+}
+
+// Of a bogie, the place is that of the second wheelset where its values are the largest ones: the wheels rolled from
+// -2.54 to -2.48 m, and were on their way. Its state begins with two sums, rigid displacement and velocity.
+TEST(Divergence, TheSecondWheelsetIsNamed) {
+  const auto bogie = shortBogie();
+  const auto good = stateInTheMiddle(bogie);
+  const auto spoil = [&](const TemporaryFolder& folder, std::size_t which, double by) {
+    return resume(folder, bogie, good,
+                  [&](ArrayTree& state) { numbers(state, "/rolling/second_wheelset")[which] += by; });
+  };
+  const auto placeIn = [](const std::string& location) {
+    const std::string before = "of the second wheelset at x ";
+    const auto at = location.find(before);
+    return at == std::string::npos ? 0.0 : std::stod(location.substr(at + before.size()));
+  };
+  const auto isUnderWay = ::testing::AllOf(::testing::Gt(-2.54), ::testing::Lt(-2.48));
+  {
+    const TemporaryFolder folder;
+    const auto outcome = spoil(folder, 3, 1e6);
+    expectStoppedSoon(folder, "diverges", outcome);
+    EXPECT_THAT(outcome.location, ::testing::AnyOf(::testing::StartsWith("wheel"), ::testing::StartsWith("axle box")));
+    EXPECT_THAT(placeIn(outcome.location), isUnderWay) << outcome.error;
+  }
+  {  // a drop by 3 mm, as of the first wheelset below
+    const TemporaryFolder folder;
+    const auto outcome = spoil(folder, 2, -3e-3);
+    expectStoppedSoon(folder, "runaway penetration of 3.", outcome);
+    EXPECT_THAT(outcome.location, ::testing::StartsWith("contact"));
+    EXPECT_THAT(placeIn(outcome.location), isUnderWay) << outcome.error;
+  }
+  // Values of the first wheelset lie elsewhere.
+  const TemporaryFolder folder;
+  const auto outcome = resume(folder, bogie, good, [](ArrayTree& state) {
+    for (double& value : numbers(state, "/rolling/velocity")) value *= 1e200;
+  });
+  expectStoppedSoon(folder, "diverges", outcome);
+  EXPECT_THAT(outcome.location, ::testing::Not(HasSubstr("second wheelset")));
 }
 
 // One node drawn through its neighbour, three intervals along the rail. The state is judged before its first step: the
