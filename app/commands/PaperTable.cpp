@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "analysis/RunFeatures.h"
+#include "analysis/WheelForces.h"
 #include "commands/ValidationText.h"
 #include "receptance/ReceptanceSummary.h"
 #include "signals/SignalCatalogue.h"
@@ -55,6 +56,19 @@ void addPeak(std::vector<PaperRow>& rows, const RunResult& result, const char* c
   }
   const auto [low, high] = std::minmax_element(values->begin(), values->end());
   rows.push_back({what, roundedText(*high) + " / " + roundedText(*low) + " m/s²", "", ""});
+}
+
+// Where there are several wheels: one alone has the features' smallest_contact_force.
+void addForces(std::vector<PaperRow>& rows, const RunResult& result) {
+  const auto wheels = analysis::wheelForces(result);
+  if (wheels.size() < 2) return;
+  for (const auto& one : wheels) {
+    PaperRow row{"contact force of the " + one.wheel + ", minimum", roundedText(1e-3 * one.smallest, "kN"), "", ""};
+    if (one.liftOff)
+      row.paper = "lifts off at " + roundedText(1e3 * *one.liftOff, "ms") + ", in the air for " +
+                  roundedText(1e3 * one.aloft, "ms");
+    rows.push_back(row);
+  }
 }
 
 void addLines(std::vector<PaperRow>& rows, const RunResult& result) {
@@ -194,6 +208,7 @@ std::vector<PaperRow> rowsOf(const RunResult& result, const statements::Referenc
   addOther(signals::filteredNameOnRight(signals::names::secondAxleBox),
            "right axle box of the second wheelset, maximum / minimum");
   addPeak(rows, result, signals::names::wheelFiltered, "wheel centre acceleration, maximum / minimum");
+  addForces(rows, result);
   addAnchor(rows, result);
   addLines(rows, result);
   addWavelength(rows, result);

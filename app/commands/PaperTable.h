@@ -15,10 +15,11 @@ struct PaperRow {
   std::string what, ours, paper, verdict;
 };
 
-// Peak, lines of the spectrum, wavelength; contact against Hertz; residual vibration; energy; cost. Rows whose numbers
-// the result does not hold say "not available". The paper's statements stand beside the paper's own cases only, known
-// by their values, whatever the file is called: name, number, range and verdict are those of `squat validate`
-// (statements::judgeRun). Of the keys that differ from the paper's case a few are listed, those in `setByHand` first.
+// Peak, lines of the spectrum, wavelength; where there are several wheels, the smallest force of each; contact against
+// Hertz; residual vibration; energy; cost. Rows whose numbers the result does not hold say "not available". The paper's
+// statements stand beside the paper's own cases only, known by their values, whatever the file is called: name, number,
+// range and verdict are those of `squat validate` (statements::judgeRun). Of the keys that differ from the paper's case
+// a few are listed, those in `setByHand` first.
 std::vector<PaperRow> paperRows(const results::RunResult& result, const std::vector<std::string>& setByHand = {});
 
 std::string paperTable(const results::RunResult& result, const std::vector<std::string>& setByHand = {});

@@ -133,6 +133,28 @@ TEST(PaperTable, PeakWavelengthEnergyAndHertz) {
   EXPECT_EQ(row(result, kVibration).verdict, "passed");
 }
 
+// Of whole models and bogies; the table of a single wheel has no such row.
+TEST(PaperTable, EachOfSeveralWheelsHasItsSmallestForce) {
+  auto result = made(310, 1000);
+  const auto force = [&](const char* name, double inTheMiddle) {
+    results::Channel channel{name, "N", "", std::vector<double>(1000, 8.5e4)};
+    for (int i = 300; i < 310; ++i) channel.values[static_cast<std::size_t>(i)] = inTheMiddle;
+    result.signals.push_back(channel);
+  };
+  force("contact_force", 2.5e4);
+  EXPECT_THAT(paperTable(result), Not(HasSubstr("contact force of the")));
+  force("second_contact_force", 6e4);
+  EXPECT_EQ(row(result, "contact force of the wheel, minimum").ours, "25 kN");
+  EXPECT_EQ(row(result, "contact force of the wheel of the second wheelset, minimum").ours, "60 kN");
+  force("contact_force_right", 0);
+  EXPECT_EQ(row(result, "contact force of the left wheel, minimum").ours, "25 kN");
+  EXPECT_THAT(row(result, "contact force of the left wheel, minimum").paper, IsEmpty());
+  // 300 samples of 25 kHz; ten of them.
+  EXPECT_EQ(row(result, "contact force of the right wheel, minimum").ours, "0 kN");
+  EXPECT_EQ(row(result, "contact force of the right wheel, minimum").paper,
+            "lifts off at 12 ms, in the air for 0.4 ms");
+}
+
 TEST(PaperTable, AStoppedRunIsNotJudged) {
   auto result = made(310, 1000);
   result.complete = false;

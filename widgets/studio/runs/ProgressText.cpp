@@ -1,11 +1,12 @@
 #include "studio/runs/ProgressText.h"
 
-#include "signals/SignalCatalogue.h"
-
 #include <QObject>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+
+#include "analysis/WheelForces.h"
+#include "signals/SignalCatalogue.h"
 
 namespace squat::studio {
 
@@ -35,6 +36,12 @@ QString completionText(const results::RunResult& result, bool resumed) {
   if (force && !force->empty())
     found << QObject::tr("contact force up to %1 kN")
                  .arg(1e-3 * *std::max_element(force->begin(), force->end()), 0, 'f', 1);
+  if (const auto wheels = analysis::wheelForces(result); wheels.size() > 1)
+    for (const auto& one : wheels)
+      if (one.liftOff)
+        found << QObject::tr("the %1 lifts off at %2 ms")
+                     .arg(QString::fromStdString(one.wheel))
+                     .arg(1e3 * *one.liftOff, 0, 'f', 1);
   const auto seconds = std::find_if(result.performance.begin(), result.performance.end(),
                                     [](const results::Scalar& scalar) { return scalar.name == "seconds"; });
   const QString done = seconds == result.performance.end()
