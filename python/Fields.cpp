@@ -35,15 +35,21 @@ py::list snapshotsOf(const py::object& self) {
   return all;
 }
 
+// Into `one`, one contact; the names of the right one's arrays end in `side`.
+void addContact(py::dict& one, const results::PatchSnapshot& patch, const std::string& side, const py::object& self) {
+  const auto set = [&](const char* name, const auto& values) { one[py::str(name + side)] = view(values, self); };
+  set("x", patch.x), set("y", patch.y), set("pressure", patch.pressure);
+  set("traction_x", patch.tractionX), set("traction_y", patch.tractionY);
+  set("slipping", patch.slipping), set("area", patch.area);
+}
+
 py::list patchesOf(const py::object& self) {
   py::list all;
   for (const auto& patch : self.cast<const RunResult&>().patches) {
     py::dict one;
     one["name"] = patch.name, one["time"] = patch.time, one["position"] = patch.position;
-    one["x"] = view(patch.x, self), one["y"] = view(patch.y, self);
-    one["pressure"] = view(patch.pressure, self);
-    one["traction_x"] = view(patch.tractionX, self), one["traction_y"] = view(patch.tractionY, self);
-    one["slipping"] = view(patch.slipping, self), one["area"] = view(patch.area, self);
+    addContact(one, patch, "", self);
+    if (patch.right) addContact(one, *patch.right, "_right", self);
     all.append(one);
   }
   return all;
@@ -80,7 +86,9 @@ wheel_travel [m], wheel_rotation [rad], displacement (p, 3) [m], von_mises (p) [
   type.def_property_readonly(
       "patches", &patchesOf,
       R"(The contact patch at several instants: a list of dicts with name, time [s], position [m], and arrays
-(c) of x, y [m], pressure, traction_x, traction_y [Pa], slipping (1 slips, 0 sticks), area [m2].)");
+(c) of x, y [m], pressure, traction_x, traction_y [Pa], slipping (1 slips, 0 sticks), area [m2]. Of a
+whole model also those of the right contact, x_right, y_right and so on, counted from its own rail's axis
+outwards.)");
   type.def_property_readonly(
       "permanent", &permanentOf,
       R"(What plastic flow leaves in the unloaded rail: a dict of position (x), lateral (y), depth (z) [m],

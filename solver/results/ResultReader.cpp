@@ -21,6 +21,8 @@ class Mapper {
     throw FileError(path_, object, what, kResultAdvice);
   }
 
+  bool has(const std::string& object) const { return tree_.find(object) != nullptr; }
+
   // The values of a dataset, empty where there is none; the dataset is used up.
   template <typename T>
   std::vector<T> take(const std::string& object) const {
@@ -35,7 +37,7 @@ class Mapper {
   // The same, but it must have `length` values if it is there at all, or must be there if `needed`.
   template <typename T>
   std::vector<T> take(const std::string& object, std::size_t length, bool needed = true) const {
-    if (!needed && !tree_.find(object)) return {};
+    if (!needed && !has(object)) return {};
     auto values = take<T>(object);
     if (values.size() != length)
       refuse(object, "has " + std::to_string(values.size()) + " values where " + std::to_string(length) + " belong");
@@ -228,20 +230,27 @@ void readFields(const Mapper& from, RunResult& result) {
   }
 }
 
+PatchSnapshot readContact(const Mapper& from, const std::string& group, const std::string& side) {
+  PatchSnapshot patch;
+  patch.name = from.text(group, "name");
+  patch.time = from.number(group, "time");
+  patch.position = from.number(group, "position");
+  patch.x = from.take<float>(group + "/x" + side);
+  const auto count = patch.x.size();
+  patch.y = from.take<float>(group + "/y" + side, count);
+  patch.pressure = from.take<float>(group + "/pressure" + side, count);
+  patch.tractionX = from.take<float>(group + "/traction_x" + side, count);
+  patch.tractionY = from.take<float>(group + "/traction_y" + side, count);
+  patch.slipping = from.take<std::uint8_t>(group + "/slipping" + side, count);
+  patch.area = from.take<float>(group + "/area" + side, count);
+  return patch;
+}
+
 void readPatches(const Mapper& from, RunResult& result) {
   for (const auto& group : from.members("/patch")) {
-    PatchSnapshot patch;
-    patch.name = from.text(group, "name");
-    patch.time = from.number(group, "time");
-    patch.position = from.number(group, "position");
-    patch.x = from.take<float>(group + "/x");
-    const auto count = patch.x.size();
-    patch.y = from.take<float>(group + "/y", count);
-    patch.pressure = from.take<float>(group + "/pressure", count);
-    patch.tractionX = from.take<float>(group + "/traction_x", count);
-    patch.tractionY = from.take<float>(group + "/traction_y", count);
-    patch.slipping = from.take<std::uint8_t>(group + "/slipping", count);
-    patch.area = from.take<float>(group + "/area", count);
+    auto patch = readContact(from, group, "");
+    if (from.has(group + "/x_right"))
+      patch.right = std::make_shared<const PatchSnapshot>(readContact(from, group, "_right"));
     result.patches.push_back(std::move(patch));
   }
 }

@@ -13,6 +13,7 @@
 //                equivalent_strain, stress_along, stress_across, stress_vertical, von_mises [position][depth]
 //   /fields/NNN  displacement [n][3], von_mises, plastic_strain; attributes name, time, position, wheel_travel,
 //                wheel_rotation                        /patch/NNN x, y, pressure, traction_x, ...
+//                and of a whole model x_right, y_right, ...
 #pragma once
 
 #include <string>

@@ -131,17 +131,26 @@ void addFields(ArrayTree& tree, const RunResult& result) {
   }
 }
 
+// One contact; the names of the right one's datasets end in `side`.
+void addContact(ArrayTree& tree, const std::string& path, const PatchSnapshot& patch, const std::string& side) {
+  const auto add = [&](const char* name, const auto& values, const char* unit) {
+    tree.add(path + name + side, values, unit);
+  };
+  add("/x", patch.x, "m");
+  add("/y", patch.y, "m");
+  add("/pressure", patch.pressure, "Pa");
+  add("/traction_x", patch.tractionX, "Pa");
+  add("/traction_y", patch.tractionY, "Pa");
+  add("/slipping", patch.slipping, "1");
+  add("/area", patch.area, "m2");
+}
+
 void addPatches(ArrayTree& tree, const RunResult& result) {
   for (std::size_t i = 0; i < result.patches.size(); ++i) {
     const auto& patch = result.patches[i];
     const auto path = numbered("patch", i);
-    tree.add(path + "/x", patch.x, "m");
-    tree.add(path + "/y", patch.y, "m");
-    tree.add(path + "/pressure", patch.pressure, "Pa");
-    tree.add(path + "/traction_x", patch.tractionX, "Pa");
-    tree.add(path + "/traction_y", patch.tractionY, "Pa");
-    tree.add(path + "/slipping", patch.slipping, "1");
-    tree.add(path + "/area", patch.area, "m2");
+    addContact(tree, path, patch, "");
+    if (patch.right) addContact(tree, path, *patch.right, "_right");
     auto& group = tree.addGroup(path);
     setAttribute(group.attributes, "name", patch.name);
     setAttribute(group.attributes, "time", patch.time);

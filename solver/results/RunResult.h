@@ -52,6 +52,10 @@ struct PatchSnapshot {
   std::vector<float> tractionX, tractionY;  // [Pa] on the rail
   std::vector<std::uint8_t> slipping;       // 0 sticks, 1 slips
   std::vector<float> area;                  // [m2]
+  // Of a whole model the right contact at the same instant, which has no other in turn: y and traction_y count from the
+  // right rail's axis outwards, as those of the left one do from its own. Null: a half model, or a result of a version
+  // that did not store it.
+  std::shared_ptr<const PatchSnapshot> right = nullptr;
 };
 
 // What plastic flow leaves behind in the unloaded rail; empty where the rail is elastic. Fields of position x depth lie

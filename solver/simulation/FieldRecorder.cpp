@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "core/Errors.h"
 
@@ -38,7 +39,13 @@ bool FieldRecorder::has(const std::string& name) const {
 
 void FieldRecorder::take(const std::string& name, const dynamics::Rolling& rolling) {
   result_.snapshots.push_back(fields_.snapshot(name, rolling));
-  result_.patches.push_back(patchSnapshot(name, rolling));
+  auto patch = patchSnapshot(name, rolling);
+  if (rolling.sides().size() > 1) {
+    auto right = patchSnapshot(name, *rolling.sides()[1]);
+    right.time = patch.time, right.position = patch.position;  // of the wheelset
+    patch.right = std::make_shared<const results::PatchSnapshot>(std::move(right));
+  }
+  result_.patches.push_back(std::move(patch));
 }
 
 results::PatchSnapshot patchSnapshot(const std::string& name, const dynamics::Rolling& rolling) {
@@ -55,6 +62,46 @@ results::PatchSnapshot patchSnapshot(const std::string& name, const dynamics::Ro
   return shot;
 }
 
+namespace {
+
+void saveContact(const results::PatchSnapshot& shot, const std::string& path, const std::string& side,
+                 results::ArrayTree& tree) {
+  const std::pair<const char*, const std::vector<float>*> fields[] = {{"/x", &shot.x},
+                                                                      {"/y", &shot.y},
+                                                                      {"/pressure", &shot.pressure},
+                                                                      {"/traction_x", &shot.tractionX},
+                                                                      {"/traction_y", &shot.tractionY},
+                                                                      {"/area", &shot.area}};
+  for (const auto& [name, values] : fields) tree.add(path + name + side, *values, "1");
+  tree.add(path + "/slipping" + side, shot.slipping, "1");
+}
+
+results::PatchSnapshot loadContact(const results::ArrayTree& tree, const std::string& path, const std::string& side,
+                                   const std::string& file) {
+  const auto floats = [&](const char* name) { return results::valuesOf<float>(tree, path + name + side, file); };
+  results::PatchSnapshot shot;
+  shot.x = floats("/x"), shot.y = floats("/y"), shot.pressure = floats("/pressure");
+  shot.tractionX = floats("/traction_x"), shot.tractionY = floats("/traction_y");
+  shot.slipping = results::valuesOf<std::uint8_t>(tree, path + "/slipping" + side, file);
+  shot.area = floats("/area");
+  return shot;
+}
+
+// With the right contact where the checkpoint has one.
+results::PatchSnapshot loadPatch(const results::ArrayTree& tree, const std::string& path, const std::string& file) {
+  const auto& numbers = results::valuesOf<double>(tree, path + "/numbers", file);
+  const auto named = [&](results::PatchSnapshot shot) {
+    shot.name = path.substr(path.rfind('/') + 1), shot.time = numbers[0], shot.position = numbers[1];
+    return shot;
+  };
+  auto patch = named(loadContact(tree, path, "", file));
+  if (tree.find(path + "/x_right"))
+    patch.right = std::make_shared<const results::PatchSnapshot>(named(loadContact(tree, path, "_right", file)));
+  return patch;
+}
+
+}  // namespace
+
 void savePictures(const results::RunResult& result, results::ArrayTree& tree) {
   for (const auto& shot : result.snapshots) {
     const std::string path = "/snapshots/" + shot.name;
@@ -67,14 +114,8 @@ void savePictures(const results::RunResult& result, results::ArrayTree& tree) {
   for (const auto& shot : result.patches) {
     const std::string path = "/patches/" + shot.name;
     tree.add(path + "/numbers", std::vector<double>{shot.time, shot.position}, "1");
-    const std::pair<const char*, const std::vector<float>*> fields[] = {{"/x", &shot.x},
-                                                                        {"/y", &shot.y},
-                                                                        {"/pressure", &shot.pressure},
-                                                                        {"/traction_x", &shot.tractionX},
-                                                                        {"/traction_y", &shot.tractionY},
-                                                                        {"/area", &shot.area}};
-    for (const auto& [name, values] : fields) tree.add(path + name, *values, "1");
-    tree.add(path + "/slipping", shot.slipping, "1");
+    saveContact(shot, path, "", tree);
+    if (shot.right) saveContact(*shot.right, path, "_right", tree);
   }
 }
 
@@ -92,10 +133,7 @@ void loadPictures(const results::ArrayTree& tree, const std::string& file, resul
           {name, n[0], n[1], n[2], n[3], floats(path + "/displacement"), floats(path + "/von_mises"),
            tree.find(path + "/plastic_strain") ? floats(path + "/plastic_strain") : std::vector<float>{}});
     else
-      result.patches.push_back({name, n[0], n[1], floats(path + "/x"), floats(path + "/y"), floats(path + "/pressure"),
-                                floats(path + "/traction_x"), floats(path + "/traction_y"),
-                                results::valuesOf<std::uint8_t>(tree, path + "/slipping", file),
-                                floats(path + "/area")});
+      result.patches.push_back(loadPatch(tree, path, file));
   }
   std::sort(result.snapshots.begin(), result.snapshots.end(),
             [](const auto& a, const auto& b) { return a.time < b.time; });

@@ -27,7 +27,7 @@ class FieldRecorder : public StepObserver {
   long perSample_, grid_;
 };
 
-// Pressure and traction at the integration points of the present patch.
+// Pressure and traction at the integration points of the present patch of one side.
 results::PatchSnapshot patchSnapshot(const std::string& name, const dynamics::Rolling& rolling);
 
 // Snapshots and patches of a result in a checkpoint; those of the start are there too where nobody takes others.

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "arch/Page.h"
 #include "commands/ExitCodes.h"
@@ -60,6 +61,18 @@ TEST(FilesPage, HasEveryKeyOfWrittenJson) {
   report.events.push_back(squat);
   EXPECT_THAT(page.notSaidOfJson("squats.json", detection::detectionJson(report)), IsEmpty());
   EXPECT_THAT(page.notSeen(), IsEmpty());
+}
+
+// A whole model's contacts: the right one has datasets of its own.
+TEST(FilesPage, HasEveryDatasetOfBothContacts) {
+  FilesPage page(kManual + "files.md");
+  results::RunResult whole;
+  whole.patches = tests::sampleResult().patches;
+  whole.patches[0].right = std::make_shared<const results::PatchSnapshot>(whole.patches[0]);
+  const tests::TemporaryFolder folder;
+  results::writeResult(folder / "whole.h5", whole);
+  EXPECT_THAT(page.notSaid(folder.path()), IsEmpty());
+  for (const auto& name : page.notSeen()) EXPECT_FALSE(name.starts_with("/patch")) << name;
 }
 
 TEST(FilesPage, MissesWhatItDoesNotSay) {

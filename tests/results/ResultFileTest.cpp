@@ -51,6 +51,31 @@ TEST(ResultFile, WithoutFieldsHasAllTheRest) {
   EXPECT_EQ(firstDifference(toTree(result), toTree(light)), "");
 }
 
+// The right contact has points of its own, here one where the left one has two. A half model has no such datasets.
+TEST(ResultFile, KeepsBothContactsOfAWholeModel) {
+  const TemporaryFolder folder;
+  auto result = sampleResult();
+  for (const auto& array : toTree(result).arrays) EXPECT_FALSE(array.path.ends_with("_right")) << array.path;
+  auto right = result.patches[0];
+  for (auto* values : {&right.x, &right.y, &right.pressure, &right.tractionX, &right.tractionY, &right.area})
+    *values = {0.5F};
+  right.slipping = {1};
+  result.patches[0].right = std::make_shared<const PatchSnapshot>(right);
+  writeResult(folder / "whole.h5", result);
+  const auto back = readResult(folder / "whole.h5");
+  EXPECT_EQ(firstDifference(toTree(result), toTree(back)), "");
+  EXPECT_EQ(back.notRead, "");
+  ASSERT_TRUE(back.patches.at(0).right);
+  EXPECT_EQ(back.patches[0].right->pressure, std::vector<float>{0.5F});
+  EXPECT_EQ(back.patches[0].right->name, "equilibrium");
+  EXPECT_EQ(back.patches[0].pressure, sampleResult().patches[0].pressure);
+  auto tree = toTree(result);
+  tree.find("/patch/000/area_right")->values = std::vector<float>{1, 2};
+  tree.find("/patch/000/area_right")->shape = {2};
+  writeTree(folder / "wrong.h5", tree);
+  EXPECT_THAT(refusal(folder / "wrong.h5"), HasSubstr("/patch/000/area_right: has 2 values where 1 belong"));
+}
+
 TEST(ResultFile, SurvivesAnEmptyResult) {
   const TemporaryFolder folder;
   writeResult(folder / "empty.h5", RunResult{});

@@ -99,6 +99,19 @@ TEST(WholeModel, PicturesShowTheRightSideAsTheMirrorImageOfTheLeft) {
     stress.insert(stress.end(), stress.begin(), stress.begin() + static_cast<std::ptrdiff_t>(count));
     ASSERT_EQ(whole.snapshots[s].vonMises, stress);
   }
+  // Each contact counts from its own rail outwards: both are that of the half model.
+  ASSERT_EQ(whole.patches.size(), half.patches.size());
+  for (std::size_t p = 0; p < half.patches.size(); ++p) {
+    ASSERT_FALSE(half.patches[p].right);
+    ASSERT_TRUE(whole.patches[p].right);
+    for (const auto* side : {&whole.patches[p], whole.patches[p].right.get()}) {
+      EXPECT_EQ(side->time, half.patches[p].time);
+      EXPECT_EQ(side->y, half.patches[p].y);
+      EXPECT_EQ(side->pressure, half.patches[p].pressure);
+      EXPECT_EQ(side->tractionY, half.patches[p].tractionY);
+      EXPECT_EQ(side->slipping, half.patches[p].slipping);
+    }
+  }
 }
 
 // Left and right are names: exchanged sides give exchanged signals.
@@ -166,17 +179,29 @@ TEST(WholeModel, AResumedRunGivesTheSameBits) {
   const tests::TemporaryFolder folder;
   const auto description = dip({{"model.extent", "whole"}, {"right.defect.shape", "none"}});
   simulation::RunOptions options;
-  options.threads = 2, options.wheelsetModes = options.snapshots = false;
+  options.threads = 2, options.wheelsetModes = false, options.snapshots = true;
+  Monitor silent;
+  const auto whole = simulation::runCase(description, options, silent);
   options.checkpointPath = folder / "whole.checkpoint", options.checkpointSeconds = 1e9;
   tests::CancelAt stopping(0.5);
   const auto stopped = simulation::runCase(description, options, stopping);
   ASSERT_FALSE(stopped.complete);
   options.resume = true;
-  Monitor silent;
   const auto resumed = simulation::runCase(description, options, silent);
   ASSERT_TRUE(resumed.complete);
   for (const auto& channel : oneSided().signals)
     EXPECT_EQ(*resumed.signal(channel.name), channel.values) << channel.name;
+  const auto patchesOf = [](const results::RunResult& result) {
+    results::RunResult alone;
+    alone.patches = result.patches;
+    return results::toTree(alone);
+  };
+  EXPECT_EQ(results::firstDifference(patchesOf(resumed), patchesOf(whole)), "");
+  const auto impact = std::find_if(resumed.patches.begin(), resumed.patches.end(),
+                                   [](const auto& patch) { return patch.name == "impact"; });
+  ASSERT_NE(impact, resumed.patches.end());
+  ASSERT_TRUE(impact->right);
+  EXPECT_NE(impact->right->pressure, impact->pressure);  // the left rail alone has the dip
 }
 
 // Sides that are not alike start from an equilibrium of their own: on a smooth rail each wheel carries what it carries
