@@ -3,7 +3,9 @@
 
 #include <QRegularExpression>
 #include <cmath>
+#include <memory>
 
+#include "colours/ColourTables.h"
 #include "plots/Application.h"
 #include "plots/FigureBuilders.h"
 #include "plots/FigureFiles.h"
@@ -140,6 +142,61 @@ TEST_F(FigureContent, notANumberDoesNotSpoilTheAxes) {
 TEST_F(FigureContent, aConstantSignalHasARange) {
   for (auto& channel : result_.signals) std::fill(channel.values.begin(), channel.values.end(), 0.0);
   EXPECT_GT(plots::abaTimeFigure(result_, plots::lightStyle())->yAxis->range().size(), 0);
+}
+
+// Of a whole model: left and right beside each other, on one scale of colours and over the same stretch. The right
+// wheel presses half as hard here, at as many points.
+TEST_F(FigureContent, bothContactsOfAWholeModelStandBesideEachOther) {
+  auto right = result_.patches.at(0);
+  int under = 0;
+  for (float& pressure : right.pressure) under += pressure > 0, pressure *= 0.5f;
+  const auto alone = plots::patchTable(result_);
+  result_.patches[0].right = std::make_shared<const results::PatchSnapshot>(right);
+  const auto figure = plots::patchFigure(result_, plots::lightStyle());
+  ASSERT_EQ(figure->axisRectCount(), 2);
+  EXPECT_EQ(labels(*figure), (std::vector<QString>{"left", "right"}));
+  const char* map = "viridis";
+  for (int side = 0; side < 2; ++side) {
+    int count = 0;
+    for (int i = 0; i < figure->itemCount(); ++i) {
+      const auto* box = qobject_cast<QCPItemRect*>(figure->item(i));
+      if (!box || box->topLeft->keyAxis() != figure->axisRect(side)->axis(QCPAxis::atBottom)) continue;
+      ++count;
+      EXPECT_EQ(box->clipAxisRect(), figure->axisRect(side));
+      if (std::abs(box->topLeft->key() + box->bottomRight->key()) > 1e-6 ||
+          std::abs(box->topLeft->value() + box->bottomRight->value()) > 1e-6)
+        continue;
+      const auto colour = colours::colourAt(map, side == 0 ? 1 : 0.5);  // in the middle
+      EXPECT_NEAR(box->brush().color().greenF(), colour.green, 0.01) << side;
+      EXPECT_NEAR(box->brush().color().blueF(), colour.blue, 0.01) << side;
+    }
+    EXPECT_EQ(count, under) << side;
+  }
+  figure->xAxis->setRange(-3, 5);
+  EXPECT_EQ(figure->axisRect(1)->axis(QCPAxis::atBottom)->range(), QCPRange(-3, 5));
+  figure->axisRect(1)->axis(QCPAxis::atLeft)->setRange(-2, 1);
+  EXPECT_EQ(figure->yAxis->range(), QCPRange(-2, 1));
+  figure->settleLayout(figure->printedUnits());
+  EXPECT_NEAR(figure->axisRect(0)->width(), figure->axisRect(1)->width(), 1);
+  const auto both = plots::patchTable(result_);
+  EXPECT_TRUE(both.startsWith("side,along [m],"));
+  EXPECT_EQ(both.count("left,"), alone.count('\n') - 1);
+  EXPECT_EQ(both.count("right,"), alone.count('\n') - 1);
+}
+
+// One wheel may lift off its rail while the other one rolls.
+TEST_F(FigureContent, aWheelOfTwoThatLiftsSaysSoInItsOwnAxes) {
+  auto lifted = result_.patches.at(0);
+  for (auto* values : {&lifted.x, &lifted.y, &lifted.pressure}) values->clear();
+  result_.patches[0].right = std::make_shared<const results::PatchSnapshot>(lifted);
+  const auto figure = plots::patchFigure(result_, plots::lightStyle());
+  EXPECT_EQ(labels(*figure), (std::vector<QString>{"left", "right", "no contact at this moment"}));
+  EXPECT_GT(figure->graphCount(), 0);  // slip on the left
+  auto other = result_.patches[0];
+  other.x.swap(lifted.x), other.y.swap(lifted.y), other.pressure.swap(lifted.pressure);
+  other.right = std::make_shared<const results::PatchSnapshot>(lifted);
+  result_.patches[0] = other;
+  EXPECT_EQ(plots::shownPatch(result_), &result_.patches[0]);
 }
 
 TEST_F(FigureContent, zoomedCurvesStayInsideTheAxesOfTheSvg) {

@@ -13,7 +13,7 @@ Figure::Figure(const QString& name, const Style& style, QWidget* parent)
   setNoAntialiasingOnDrag(true);
   addLayer("front", layer("main"));
   layOut();
-  styleAxes();
+  styleAxes(*axisRect());
   connect(this, &QCustomPlot::beforeReplot, this, [this] { fitLegend(*legend, viewport().width()); });
 }
 
@@ -47,12 +47,12 @@ void Figure::layOut() {
   legend->setMargins(QMargins(6, qRound(12 * (style_.fontScale - 1)), 6, 0));
   legend->setColumnSpacing(8);
   legend->setVisible(false);
-  axisRect()->setMinimumMargins(QMargins(4, 3, 10, 4));
 }
 
-void Figure::styleAxes() {
-  axisRect()->setupFullAxesBox(true);
-  for (QCPAxis* axis : {xAxis, yAxis, xAxis2, yAxis2}) {
+void Figure::styleAxes(QCPAxisRect& axes) {
+  axes.setMinimumMargins(QMargins(4, 3, 10, 4));
+  axes.setupFullAxesBox(true);
+  for (QCPAxis* axis : axes.axes()) {
     axis->setTicker(QSharedPointer<AxisTicker>::create());
     axis->setLabelFont(style_.labelFont());
     axis->setTickLabelFont(style_.tickFont());
@@ -70,6 +70,27 @@ void Figure::styleAxes() {
     axis->setNumberFormat("gb");
     axis->setNumberPrecision(5);
   }
+}
+
+QCPAxisRect* Figure::addAxesBeside() {
+  auto* beside = new QCPAxisRect(this);
+  addBeside(beside);
+  for (QCPAxis* axis : beside->axes()) {
+    axis->setLayer("axes");
+    axis->grid()->setLayer("grid");
+  }
+  styleAxes(*beside);
+  auto* margins = new QCPMarginGroup(this);
+  for (QCPAxisRect* axes : {axisRect(), beside}) axes->setMarginGroup(QCP::msAll, margins);
+  const auto link = [](QCPAxis* from, QCPAxis* to) {
+    connect(from, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), to,
+            qOverload<const QCPRange&>(&QCPAxis::setRange));
+  };
+  for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) {
+    link(axisRect()->axis(side), beside->axis(side));
+    link(beside->axis(side), axisRect()->axis(side));
+  }
+  return beside;
 }
 
 void Figure::settleLayout(QSize units) {

@@ -24,6 +24,8 @@ class Figure : public QCustomPlot {
 
   void setCaption(const QString& left, const QString& right);
   void showLegend(bool visible);
+  // Second axes right of the first, of the same look, size and ranges: what moves one moves the other.
+  QCPAxisRect* addAxesBeside();
   // Right of the axes, e.g. a colour scale. The figure owns it.
   void addBeside(QCPLayoutElement* element) { axesRow_->addElement(0, axesRow_->columnCount(), element); }
   // Lays out for a size [1/96 inch] before it is painted in a file: margins of one pass decide the sizes of the next.
@@ -31,7 +33,7 @@ class Figure : public QCustomPlot {
   QSize sizeHint() const override { return printedUnits(); }
 
  private:
-  void styleAxes();
+  void styleAxes(QCPAxisRect& axes);
   void layOut();
   QString name_;
   Style style_;

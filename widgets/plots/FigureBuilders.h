@@ -31,11 +31,12 @@ std::unique_ptr<Figure> amplitudeScalogramFigure(const results::AnalysedRecord& 
 std::unique_ptr<Figure> stftFigure(const results::AnalysedRecord& result, const Style& style, std::size_t segment = 128,
                                    std::size_t hop = 0);
 // Contact pressure and slip at the impact, or at the moment `index` of result.patches; then axes and colours are those
-// of all moments.
+// of all moments. Of a whole model whose right contact was stored, both contacts beside each other, on one scale.
 std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Style& style, int index = -1);
 // The moment that it draws. -1: the impact, else the last one that has pressures. Null where there is none.
 const results::PatchSnapshot* shownPatch(const results::RunResult& result, int index = -1);
-// Every point of contact with pressure, traction and slip, as CSV; empty without a patch.
+// Every point of contact with pressure, traction and slip, as CSV, of two contacts with the name of the side; empty
+// without a patch.
 QByteArray patchTable(const results::RunResult& result, int index = -1);
 // What plastic flow leaves in the unloaded rail: change of the running surface; stress against depth where most flowed.
 std::unique_ptr<Figure> permanentChangeFigure(const results::RunResult& result, const Style& style);

@@ -61,7 +61,7 @@ void addPointLabel(Figure& figure, double x, double y, const QString& text, Qt::
   label->setSelectable(false);
 }
 
-void addNotice(Figure& figure, const QString& text) {
+QCPItemText* addNotice(Figure& figure, const QString& text) {
   auto* label = new QCPItemText(&figure);
   label->position->setType(QCPItemPosition::ptAxisRectRatio);
   label->position->setCoords(0.5, 0.5);
@@ -71,6 +71,7 @@ void addNotice(Figure& figure, const QString& text) {
   label->setPadding(QMargins(4, 2, 4, 2));
   label->setText(text);
   label->setSelectable(false);
+  return label;
 }
 
 void fitValues(Figure& figure, double margin) {

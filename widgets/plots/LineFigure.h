@@ -30,8 +30,8 @@ void addBand(Figure& figure, double from, double to);
 // Label above a point of the curve: centred, or beginning (Qt::AlignLeft) or ending (Qt::AlignRight) there.
 void addPointLabel(Figure& figure, double x, double y, const QString& text, Qt::AlignmentFlag side = Qt::AlignHCenter);
 
-// Short text in the middle of the axes, e.g. why there is nothing to see.
-void addNotice(Figure& figure, const QString& text);
+// Short text in the middle of the axes, e.g. why there is nothing to see. The figure owns it.
+QCPItemText* addNotice(Figure& figure, const QString& text);
 
 // Range of y over the curves' points with x in the x axis's range, widened by `margin` of its span on both sides;
 // never empty.
