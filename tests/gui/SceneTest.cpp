@@ -49,6 +49,38 @@ TEST(Scene, theWheelRollsToTheRight) {
   }
 }
 
+// The left side of a whole model is seen from outside, where the wheel rolls to the left; its colours count the
+// contacts of both sides.
+TEST(Scene, theSideViewOfAWholeModelShowsTheLeft) {
+  std::string reason;
+  const auto view = SceneView::create(reason);
+  ASSERT_TRUE(view) << reason;
+  const auto whole = std::make_shared<const results::RunResult>(tests::syntheticWhole(3));
+  view->setResult(whole);
+  const double highest = highestOf(*view, 0);
+  view->lookFrom(StandardView::side);
+  EXPECT_NEAR(view->heading(), -1, 1e-4);
+  EXPECT_NEAR(view->eye().azimuth, 90, 1e-6);  // outwards of the left rail: along y
+  const auto& stress = tests::syntheticResult().snapshots.front().vonMises;
+  EXPECT_NEAR(highest, 3e-6 * static_cast<double>(*std::max_element(stress.begin(), stress.end())), 1e-3);
+  view->lookFrom(StandardView::overview);
+  EXPECT_GT(view->heading(), 0);
+}
+
+// The right contact is coloured on one scale with the left one.
+TEST(Scene, bothContactsCountInThePressures) {
+  std::string reason;
+  const auto view = SceneView::create(reason);
+  ASSERT_TRUE(view) << reason;
+  view->setResult(std::make_shared<const results::RunResult>(tests::syntheticWhole(1.5)));
+  SceneChoices choices;
+  choices.field = Field::contactPressure;
+  choices.snapshot = 0;
+  view->setChoices(choices);
+  view->render(64, 48);
+  EXPECT_NEAR(view->highest(), 1.5 * 1200, 1e-3);  // MPa: Hertz's pressure in the middle of the made-up patch
+}
+
 TEST(Scene, coloursKeepTheirRangeFromFrameToFrame) {
   std::string reason;
   const auto view = SceneView::create(reason);

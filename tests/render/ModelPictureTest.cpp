@@ -8,14 +8,17 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <memory>
 
 #include "core/Errors.h"
 #include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
 #include "render/SyntheticSurface.h"
 #include "scene/ModelPicture.h"
+#include "scene/PatchFaces.h"
 #include "scene/SurfaceData.h"
 #include "scene/VtkExport.h"
 
@@ -127,6 +130,23 @@ TEST(ModelPicture, withoutSnapshotOrCutFacesTheRailIsSeen) {
   EXPECT_GT(share(picture, 74, 107, 140, 12), 0.15);
 }
 
+// The colours of the left contact's close-up stand for the stress of both: three times as much on the right widens the
+// scale from 750 to 2000 MPa. About the contact, stress falls as a bell of 11 x 9 mm; some 3 cm2 of it lie between what
+// is dark on either scale (8 % of it, about), some 8 % of the close-up, which is 0.41 of the picture.
+TEST(ModelPicture, bothContactsCountInTheColours) {
+  const auto even = tests::syntheticWhole(1), uneven = tests::syntheticWhole(3);
+  const auto highest = [](const results::RunResult& result) {
+    return scene::largestNearContact(result.surface, result.snapshots.at(0), scene::Field::vonMises, 0.03);
+  };
+  EXPECT_NEAR(highest(even), highest(tests::syntheticResult()), 1e-3);
+  EXPECT_NEAR(highest(uneven), 3 * highest(even), 1e-3);
+  std::string reason;
+  const auto bright = scene::modelPicture(even, "viridis", reason);
+  const auto dark = scene::modelPicture(uneven, "viridis", reason);
+  ASSERT_FALSE(bright.empty() || dark.empty()) << reason;
+  EXPECT_GT(share(dark, 68, 1, 84, 25), share(bright, 68, 1, 84, 25) + 0.01);
+}
+
 TEST(ModelPicture, withoutASurfaceItSaysWhy) {
   std::string reason;
   EXPECT_TRUE(scene::modelPicture({}, "viridis", reason).empty());
@@ -187,6 +207,50 @@ TEST(VtkExport, writesEachInstantOnceAndItsTime) {
   EXPECT_NE(text.find("light-defect_002.vtu"), std::string::npos);
   EXPECT_EQ(text.find("light-defect_001.vtu"), std::string::npos);
   EXPECT_THROW(scene::writeVtkSeries({}, folder), FileError);
+}
+
+// A point 3 mm outwards from the right rail's axis stands at -1.5 m - 3 mm, and what pushes outwards there pushes to
+// the right.
+TEST(PatchFaces, theRightContactIsTheMirrorImageOfItsNumbers) {
+  auto result = tests::syntheticWhole(1);
+  results::PatchSnapshot left, right;
+  left.x = right.x = {0.001f}, left.y = right.y = {0.003f}, left.pressure = right.pressure = {1e9f};
+  left.tractionY = right.tractionY = {2e8f};
+  left.right = std::make_shared<const results::PatchSnapshot>(right);
+  const auto contacts = scene::contactsInPlace(left, result.surface);
+  ASSERT_EQ(contacts.size(), 2u);
+  EXPECT_EQ(contacts[0].y, left.y);
+  EXPECT_NEAR(contacts[1].y[0], -1.503, 1e-6);
+  EXPECT_EQ(contacts[1].x, right.x);
+  EXPECT_EQ(contacts[1].tractionY[0], -2e8f);
+  right.y.clear();
+  left.right = std::make_shared<const results::PatchSnapshot>(right);
+  EXPECT_EQ(scene::contactsInPlace(left, result.surface).size(), 1u);
+}
+
+// Each contact lies on its own rail, at one height in mirror images, with its own pressure.
+TEST(VtkExport, aWholeModelsPatchesLieOnBothRails) {
+  const auto result = tests::syntheticWhole(2);
+  const auto written = scene::writeVtkSeries(result, tests::freshFolder("vtk-whole"));
+  ASSERT_EQ(written.size(), 3u);  // a surface, both patches, the collection
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(written[1].c_str());
+  reader->Update();
+  auto* grid = reader->GetOutput();
+  const auto& pressure = result.patches[0].pressure;
+  const auto under = std::count_if(pressure.begin(), pressure.end(), [](float each) { return each > 0; });
+  ASSERT_EQ(grid->GetNumberOfCells(), 2 * under);
+  auto* values = grid->GetCellData()->GetArray("contact pressure [Pa]");
+  ASSERT_TRUE(values);
+  for (vtkIdType i = 0; i < under; ++i) {
+    double left[6], right[6];
+    grid->GetCell(i)->GetBounds(left);
+    grid->GetCell(i + under)->GetBounds(right);
+    EXPECT_NEAR(left[2] + right[3], -1.5, 1e-5);  // near and far edges change places
+    EXPECT_NEAR(left[4], right[4], 1e-5);
+    EXPECT_EQ(left[0], right[0]);
+    EXPECT_FLOAT_EQ(static_cast<float>(values->GetTuple1(i + under)), 2 * static_cast<float>(values->GetTuple1(i)));
+  }
 }
 
 }  // namespace

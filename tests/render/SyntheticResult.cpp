@@ -1,6 +1,8 @@
 #include "render/SyntheticResult.h"
 
 #include <cmath>
+#include <cstdint>
+#include <memory>
 
 #include "render/SyntheticSurface.h"
 
@@ -166,6 +168,34 @@ results::RunResult syntheticResult() {
   result.equilibrium.push_back({"contact_force", "N", "vertical", 87.8e3});
   result.surface = syntheticSurface(-runUp);
   result.snapshots.push_back(syntheticSnapshot(result.surface, -runUp, runUp + 0.004));
+  return result;
+}
+
+results::RunResult syntheticWhole(double rightStress) {
+  constexpr float trackCentre = -0.75f;
+  const auto factor = static_cast<float>(rightStress);
+  auto result = syntheticResult();
+  auto& mesh = result.surface;
+  const results::SurfaceMesh half = mesh;
+  const auto count = static_cast<std::int32_t>(half.points.size() / 3);
+  for (std::size_t i = 0; i < half.points.size(); ++i)
+    mesh.points.push_back(i % 3 == 1 ? 2 * trackCentre - half.points[i] : half.points[i]);
+  for (std::size_t quad = 0; quad < half.part.size(); ++quad) {
+    if (half.partNames[half.part[quad]].ends_with(" cut")) continue;
+    mesh.part.push_back(half.part[quad]);
+    for (std::size_t corner = 4; corner-- > 0;) mesh.quads.push_back(count + half.quads[4 * quad + corner]);
+  }
+  for (auto& snapshot : result.snapshots) {
+    const auto stress = snapshot.vonMises, displacement = snapshot.displacement;
+    for (const float each : stress) snapshot.vonMises.push_back(factor * each);
+    for (std::size_t i = 0; i < displacement.size(); ++i)
+      snapshot.displacement.push_back(i % 3 == 1 ? -displacement[i] : displacement[i]);
+  }
+  for (auto& patch : result.patches) {
+    auto right = patch;
+    for (float& pressure : right.pressure) pressure *= factor;
+    patch.right = std::make_shared<const results::PatchSnapshot>(right);
+  }
   return result;
 }
 

@@ -97,7 +97,8 @@ void addCloseUp(SurfacelessWindow& window, const results::RunResult& result, con
   look.colourMap = colourMap;
   look.field = snapshot ? Field::vonMises : Field::none;
   const auto parts = partData(result.surface, snapshot, look.field, 1.0);
-  look.high = roundUp(std::max(largestNear(parts, contactAt, 0.03), 1.0));
+  const double highest = snapshot ? largestNearContact(result.surface, *snapshot, look.field, 0.03) : 0;
+  look.high = roundUp(std::max(highest, 1.0));
   const bool cut = std::any_of(parts.begin(), parts.end(), [](const PartData& part) { return isCutFace(part.name); });
   if (cut) look.cuts = {planeAt(0, 0, 0, 0, 1, 0)};
   for (const auto& part : parts)

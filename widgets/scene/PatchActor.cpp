@@ -27,7 +27,7 @@ std::array<double, 3> colourOf(const results::PatchSnapshot& patch, std::size_t 
 }  // namespace
 
 double largestPressure(const results::PatchSnapshot& patch) {
-  double largest = 0;
+  double largest = patch.right ? largestPressure(*patch.right) : 0;
   for (const float pressure : patch.pressure)
     if (std::isfinite(pressure)) largest = std::max(largest, 1e-6 * static_cast<double>(pressure));
   return largest;

@@ -17,14 +17,21 @@ namespace {
 constexpr double patchReach = 0.03;  // [m] of the rail's points that are looked at
 constexpr double topOf = -0.01;      // [m] below the top of the rail they count no more
 
-// Points of the rail's running surface near the contact.
-std::vector<std::array<double, 3>> runningSurface(const std::vector<PartData>& parts, double contactAt) {
+// Middle of the contact's points across the rail [m].
+double middleOf(const results::PatchSnapshot& contact) {
+  if (contact.y.empty()) return 0;
+  const auto [low, high] = std::minmax_element(contact.y.begin(), contact.y.end());
+  return 0.5 * static_cast<double>(*low + *high);
+}
+
+// Points of the rail's running surface near the contact, whose middle is at (contactAt, across).
+std::vector<std::array<double, 3>> runningSurface(const std::vector<PartData>& parts, double contactAt, double across) {
   std::vector<std::array<double, 3>> near;
   for (const auto& part : parts) {
     if (part.name != "rail") continue;
     for (vtkIdType i = 0; i < part.faces->GetNumberOfPoints(); ++i) {
       const double* p = part.faces->GetPoint(i);
-      if (std::abs(p[0] - contactAt) < patchReach && std::abs(p[1]) < patchReach && p[2] > topOf)
+      if (std::abs(p[0] - contactAt) < patchReach && std::abs(p[1] - across) < patchReach && p[2] > topOf)
         near.push_back({p[0], p[1], p[2]});
     }
   }
@@ -47,18 +54,32 @@ double heightAt(const std::vector<std::array<double, 3>>& surface, double x, dou
   return sum / weights;
 }
 
+bool fitsTogether(const results::PatchSnapshot& contact) {
+  return contact.x.size() == contact.pressure.size() && contact.y.size() == contact.x.size();
+}
+
 }  // namespace
 
 const results::PatchSnapshot* patchOf(const results::RunResult& result, const std::string& snapshotName) {
   for (const auto& patch : result.patches)
-    if (patch.name == snapshotName && patch.x.size() == patch.pressure.size() && patch.y.size() == patch.x.size())
-      return &patch;
+    if (patch.name == snapshotName && fitsTogether(patch)) return &patch;
   return nullptr;
+}
+
+std::vector<results::PatchSnapshot> contactsInPlace(const results::PatchSnapshot& patch,
+                                                    const results::SurfaceMesh& surface) {
+  std::vector<results::PatchSnapshot> contacts{patch};
+  if (!patch.right || !fitsTogether(*patch.right)) return contacts;
+  auto& right = contacts.emplace_back(*patch.right);
+  const auto mirror = static_cast<float>(2 * middleAcross(surface));
+  for (float& y : right.y) y = mirror - y;
+  for (float& traction : right.tractionY) traction = -traction;
+  return contacts;
 }
 
 PatchFaces patchFaces(const results::PatchSnapshot& patch, const std::vector<PartData>& parts, double contactAt,
                       double lift) {
-  const auto surface = runningSurface(parts, contactAt);
+  const auto surface = runningSurface(parts, contactAt, middleOf(patch));
   const auto cells = results::patchCells(patch);
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> quads;

@@ -162,21 +162,6 @@ vtkSmartPointer<vtkTextActor> textActor(const std::string& text, double x, doubl
   return actor;
 }
 
-double largestNear(const std::vector<PartData>& parts, double centre, double reach) {
-  double largest = 0;
-  for (const auto& part : parts) {
-    vtkDataArray* values = part.faces->GetPointData()->GetScalars();
-    if (!values) continue;
-    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i) {
-      const double* at = part.faces->GetPoint(i);
-      const bool isOnLeft = at[1] > -0.8;  // [m] the track centre, about; the rail's axis is at 0
-      if (isOnLeft && std::abs(at[0] - centre) < reach && std::isfinite(values->GetTuple1(i)))
-        largest = std::max(largest, values->GetTuple1(i));
-    }
-  }
-  return largest;
-}
-
 double roundUp(double value) {
   const double decade = std::pow(10.0, std::floor(std::log10(value / 5)));
   for (double step : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})

@@ -41,10 +41,6 @@ vtkSmartPointer<vtkScalarBarActor> colourBar(const Look& look, const std::array<
 vtkSmartPointer<vtkTextActor> textActor(const std::string& text, double x, double y, int pixels, bool dark,
                                         double across = 0);
 
-// Largest value of the field among the points with |x - centre| < reach on the left side of the track; 0 where there
-// are none.
-double largestNear(const std::vector<PartData>& parts, double centre, double reach);
-
 // Upper end of a scale with five even stretches of a round length.
 double roundUp(double value);
 

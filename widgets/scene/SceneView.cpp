@@ -124,7 +124,9 @@ void SceneView::rebuild() {
     my.surfaces.push_back(partActor(part, look));
     my.renderer->AddActor(my.surfaces.back());
   }
-  if (patch) my.renderer->AddActor(patchActor(*patch, parts, my.contactAt, look));
+  if (patch)
+    for (const auto& contact : contactsInPlace(*patch, my.result->surface))
+      my.renderer->AddActor(patchActor(contact, parts, my.contactAt, look));
   if (my.choices.springs)
     my.renderer->AddActor(springActor(springLines(my.result->surface, snapshot ? snapshot->wheelTravel : 0), 1.5));
   if (isOfPatch(look.field) && snapshot && !patch)
@@ -264,7 +266,9 @@ void SceneView::zoom(double factor) {
   camera->SetParallelScale(std::clamp(camera->GetParallelScale() / factor, 1e-3, 50.0));
 }
 
-// From the side of the track's middle, so that the wheel rolls to the right, as the axes of all figures run.
+// From the side of the track's middle, so that the wheel rolls to the right, as the axes of all figures run. There the
+// right side of a whole model would stand before the left one, which the case's keys describe: its side view is that
+// from outside on the left, where the wheel rolls to the left.
 void SceneView::lookFrom(StandardView view) {
   if (parts_->stale && parts_->placed) rebuild();
   const double x = parts_->contactAt;
@@ -278,7 +282,7 @@ void SceneView::lookFrom(StandardView view) {
       return parts_->choices.cut ? aim(*parts_->renderer, {x, 0, 0}, {0.25, -0.95, 0.16}, 0.06)
                                  : aim(*parts_->renderer, {x, 0, 0}, {0.5, -0.75, 0.3}, 0.08);
     case StandardView::side:
-      return aim(*parts_->renderer, {x, 0, 0.25}, {0, -1, 0}, 0.75);
+      return aim(*parts_->renderer, {x, 0, 0.25}, {0, isWhole ? 1.0 : -1.0, 0}, 0.75);
     case StandardView::front:
       return aim(*parts_->renderer, {x, isWhole ? middle : -0.2, 0.25}, {1, 0, 0}, isWhole ? 1.1 : 0.75);
     case StandardView::top:

@@ -36,7 +36,8 @@ std::vector<float> locationsOf(const results::SurfaceMesh& surface, const result
                                double displacementScale);
 
 // Largest value of the field in the unit of fieldName(), among points of faces within `reach` [m] of the contact along
-// the rail, at the instant of the snapshot. 0 for fields of the patch.
+// the rail, at the instant of the snapshot; of a whole model of both contacts, so that colours stand for the same
+// values on both sides and in every picture. 0 for fields of the patch.
 double largestNearContact(const results::SurfaceMesh& surface, const results::SurfaceSnapshot& snapshot, Field field,
                           double reach);
 

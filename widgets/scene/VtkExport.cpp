@@ -7,6 +7,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
@@ -79,27 +80,48 @@ Grid surfaceGrid(const results::SurfaceMesh& surface, const results::SurfaceSnap
   return grid;
 }
 
+bool knowsTraction(const results::PatchSnapshot& contact) {
+  const auto count = contact.x.size();
+  return contact.tractionX.size() == count && contact.tractionY.size() == count && contact.slipping.size() == count;
+}
+
+// Quads that share no points, behind those that are there.
+void addFaces(vtkCellArray& quads, vtkPoints& points, vtkPolyData& faces) {
+  for (vtkIdType i = 0; i < faces.GetNumberOfPoints(); ++i) {
+    if (i % 4 == 0) quads.InsertNextCell(4);
+    quads.InsertCellPoint(points.InsertNextPoint(faces.GetPoint(i)));
+  }
+}
+
+// The contacts of all sides.
 Grid patchGrid(const results::PatchSnapshot& patch, const results::SurfaceMesh& surface,
                const results::SurfaceSnapshot& snapshot) {
-  const auto quads = patchFaces(patch, partData(surface, &snapshot, Field::none, 1.0),
-                                wheelCentre(surface)[0] + snapshot.wheelTravel, 0);
+  const auto parts = partData(surface, &snapshot, Field::none, 1.0);
+  const double contactAt = wheelCentre(surface)[0] + snapshot.wheelTravel;
+  const auto contacts = contactsInPlace(patch, surface);
+  const bool known = std::all_of(contacts.begin(), contacts.end(), knowsTraction);
   auto grid = Grid::New();
-  grid->SetPoints(quads.faces->GetPoints());
-  grid->SetCells(VTK_QUAD, quads.faces->GetPolys());
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> quads;
   vtkNew<vtkFloatArray> pressure, traction;
   vtkNew<vtkUnsignedCharArray> slipping;
   pressure->SetName("contact pressure [Pa]");
   traction->SetName("traction [Pa]");
   traction->SetNumberOfComponents(3);
   slipping->SetName("slipping");
-  const bool known = patch.tractionX.size() == patch.x.size() && patch.tractionY.size() == patch.x.size() &&
-                     patch.slipping.size() == patch.x.size();
-  for (const std::size_t i : quads.point) {
-    pressure->InsertNextValue(patch.pressure[i]);
-    if (!known) continue;
-    traction->InsertNextTuple3(static_cast<double>(patch.tractionX[i]), static_cast<double>(patch.tractionY[i]), 0);
-    slipping->InsertNextValue(patch.slipping[i]);
+  for (const auto& contact : contacts) {
+    const auto pressed = patchFaces(contact, parts, contactAt, 0);
+    addFaces(*quads, *points, *pressed.faces);
+    for (const std::size_t i : pressed.point) {
+      pressure->InsertNextValue(contact.pressure[i]);
+      if (!known) continue;
+      traction->InsertNextTuple3(static_cast<double>(contact.tractionX[i]), static_cast<double>(contact.tractionY[i]),
+                                 0);
+      slipping->InsertNextValue(contact.slipping[i]);
+    }
   }
+  grid->SetPoints(points);
+  grid->SetCells(VTK_QUAD, quads);
   grid->GetCellData()->AddArray(pressure);
   if (!known) return grid;
   grid->GetCellData()->AddArray(traction);
