@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 
+#include "case/CaseDescription.h"
+#include "case/ParameterValue.h"
 #include "render/SyntheticResult.h"
 #include "scene/SceneView.h"
 
@@ -65,6 +68,30 @@ TEST(Scene, theSideViewOfAWholeModelShowsTheLeft) {
   EXPECT_NEAR(highest, 3e-6 * static_cast<double>(*std::max_element(stress.begin(), stress.end())), 1e-3);
   view->lookFrom(StandardView::overview);
   EXPECT_GT(view->heading(), 0);
+}
+
+// Both wheelsets of a bogie are seen: the eye looks half-way between them, from farther away.
+TEST(Scene, theViewsHoldBothWheelsets) {
+  std::string reason;
+  const auto view = SceneView::create(reason);
+  ASSERT_TRUE(view) << reason;
+  auto result = std::make_shared<results::RunResult>(tests::syntheticResult());
+  const double contactAt = result->snapshots.front().position;
+  for (const char* wheelbase : {"0", "2.5"}) {
+    auto description = cases::defaultCase();
+    cases::setValue(description, "bogie.wheelbase", wheelbase);
+    results::setCase(*result, description);
+    view->setResult(result);
+    highestOf(*view, 0);
+    const double half = 0.5 * std::stod(wheelbase);
+    for (const auto from : {StandardView::overview, StandardView::side, StandardView::top}) {
+      view->lookFrom(from);
+      EXPECT_NEAR(view->eye().target[0], contactAt - half, 1e-5);
+      EXPECT_GE(1.5 * view->eye().reach, half + 0.46);  // in a window of 3 to 2
+    }
+    view->lookFrom(StandardView::contact);
+    EXPECT_NEAR(view->eye().target[0], contactAt, 1e-5);
+  }
 }
 
 // The right contact is coloured on one scale with the left one.

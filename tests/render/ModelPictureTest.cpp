@@ -12,13 +12,17 @@
 #include <cmath>
 #include <fstream>
 #include <memory>
+#include <utility>
 
+#include "case/CaseDescription.h"
+#include "case/ParameterValue.h"
 #include "core/Errors.h"
 #include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
 #include "render/SyntheticSurface.h"
 #include "scene/ModelPicture.h"
 #include "scene/PatchFaces.h"
+#include "scene/SecondWheelset.h"
 #include "scene/SurfaceData.h"
 #include "scene/VtkExport.h"
 
@@ -145,6 +149,47 @@ TEST(ModelPicture, bothContactsCountInTheColours) {
   const auto dark = scene::modelPicture(uneven, "viridis", reason);
   ASSERT_FALSE(bright.empty() || dark.empty()) << reason;
   EXPECT_GT(share(dark, 68, 1, 84, 25), share(bright, 68, 1, 84, 25) + 0.01);
+}
+
+void giveBogie(results::RunResult& result, const char* wheelbase, const char* place) {
+  auto description = cases::defaultCase();
+  cases::setValue(description, "bogie.wheelbase", wheelbase);
+  cases::setValue(description, "bogie.second_wheelset", place);
+  results::setCase(result, description);
+}
+
+// The wheel of four quads, 1 m wide and high, has rolled 2 m and a quarter of a turn from x = 1 m; the second one
+// stands 2.5 m behind it or ahead, and knows nothing of displacements.
+TEST(SecondWheelset, isTheFirstOneAtItsPlace) {
+  results::RunResult result;
+  result.surface = fourQuads();
+  results::SurfaceSnapshot snapshot;
+  snapshot.wheelTravel = 2, snapshot.wheelRotation = M_PI / 2;
+  snapshot.displacement.assign(result.surface.points.size(), 0.1f);
+  EXPECT_TRUE(scene::secondWheelsetActors(result, &snapshot, {}).empty());  // no case
+  for (const auto& [place, from] : {std::pair{"behind", -2.5}, {"ahead", 2.5}}) {
+    giveBogie(result, "2.5", place);
+    EXPECT_DOUBLE_EQ(scene::secondWheelsetFrom(result), from);
+    const auto actors = scene::secondWheelsetActors(result, &snapshot, {});
+    ASSERT_EQ(actors.size(), 1u);  // the rail has no second one
+    const double* bounds = actors[0]->GetBounds();
+    const double expected[] = {3 + from - 0.5, 3 + from + 0.5, 0, 1, 0, 1};
+    for (int i = 0; i < 6; ++i) EXPECT_NEAR(bounds[i], expected[i], 1e-5) << place << i;
+  }
+  giveBogie(result, "0", "behind");
+  EXPECT_TRUE(scene::secondWheelsetActors(result, &snapshot, {}).empty());
+}
+
+// Edges of rim and axle, some ten circles of 0.46 m and less at 266 pixels a metre: thousands of pixels of 2.1 million,
+// of which half are thinned out at the borders of lines.
+TEST(SecondWheelset, isSeenAsGreyLines) {
+  std::string reason;
+  auto result = tests::syntheticResult();
+  const auto single = scene::modelPicture(result, "viridis", reason);
+  giveBogie(result, "2.5", "behind");
+  const auto both = scene::modelPicture(result, "viridis", reason);
+  ASSERT_FALSE(single.empty() || both.empty()) << reason;
+  EXPECT_GT(share(both, 128, 128, 128, 12), share(single, 128, 128, 128, 12) + 2e-4);
 }
 
 TEST(ModelPicture, withoutASurfaceItSaysWhy) {

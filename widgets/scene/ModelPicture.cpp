@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "scene/SceneParts.h"
+#include "scene/SecondWheelset.h"
 #include "scene/SurfacelessWindow.h"
 
 namespace squat::scene {
@@ -73,7 +74,9 @@ void addOverview(SurfacelessWindow& window, const results::RunResult& result, co
   look.lines = pixels.line;
   look.field = Field::none;
   look.edges = false;  // too fine for this distance: they would blacken it
-  look.cuts = {planeAt(contactAt - 0.8, 0, 0, 1, 0, 0), planeAt(contactAt + 0.8, 0, 0, -1, 0, 0)};
+  const double second = secondWheelsetFrom(result);
+  look.cuts = {planeAt(contactAt + std::min(second, 0.0) - 0.8, 0, 0, 1, 0, 0),
+               planeAt(contactAt + std::max(second, 0.0) + 0.8, 0, 0, -1, 0, 0)};
   for (const auto& part : partData(result.surface, snapshot, Field::none, 1.0)) {
     if (isCutFace(part.name)) continue;
     renderer->AddActor(partActor(part, look));
@@ -83,8 +86,11 @@ void addOverview(SurfacelessWindow& window, const results::RunResult& result, co
       springActor(springLines(result.surface, snapshot ? snapshot->wheelTravel : 0), 2.5 * pixels.line);
   for (const auto& plane : look.cuts) springs->GetMapper()->AddClippingPlane(plane);
   renderer->AddActor(springs);
-  const bool isWhole = hasBothSides(result.surface);
-  aim(*renderer, {contactAt, middleAcross(result.surface), 0.24}, overviewFrom, isWhole ? 1.35 : 0.95);
+  for (const auto& outline : secondWheelsetActors(result, snapshot, look)) renderer->AddActor(outline);
+  if (second != 0) renderer->AddActor2D(textActor(kSecondWheelset, 0.03, 0.03, pixels.label, false));
+  const double reach = hasBothSides(result.surface) ? 1.35 : 0.95;
+  aim(*renderer, {contactAt + 0.5 * second, middleAcross(result.surface), 0.24}, overviewFrom,
+      reachOfBoth(reach, second));
 }
 
 // With inner faces at y = 0 both bodies are cut there and the stress below the surface is seen; without them the wheel

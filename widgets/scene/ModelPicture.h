@@ -21,9 +21,10 @@ struct PictureSize {
   static constexpr int maximumPixels = 8192;  // of a side, within what graphics drivers draw
 };
 
-// Left the parts, springs and mesh near the contact; right a close-up, cut at y = 0 so that the contact is seen,
-// coloured by von Mises stress. Empty, with the reason, where this machine cannot draw it, the result has no surface or
-// the picture would have too many pixels. Takes the snapshot named "impact", else the last one that has stresses.
+// Left the parts, springs and mesh near the contact, and of a bogie the outlines of its second wheelset; right a
+// close-up, cut at y = 0 so that the contact is seen, coloured by von Mises stress. Empty, with the reason, where this
+// machine cannot draw it, the result has no surface or the picture would have too many pixels. Takes the snapshot named
+// "impact", else the last one that has stresses.
 Picture modelPicture(const results::RunResult& result, const std::string& colourMap, std::string& reason,
                      const PictureSize& size = {});
 

@@ -15,6 +15,7 @@
 #include "scene/PatchActor.h"
 #include "scene/PatchFaces.h"
 #include "scene/SceneParts.h"
+#include "scene/SecondWheelset.h"
 #include "scene/SurfacelessWindow.h"
 
 namespace squat::scene {
@@ -32,6 +33,8 @@ struct SceneView::Parts {
   std::vector<vtkSmartPointer<vtkActor>> surfaces;
   vtkSmartPointer<vtkTextActor> heading;  // which way the wheel rolls
   vtkSmartPointer<vtkTextActor> title;    // quantity and unit of the colours
+  vtkSmartPointer<vtkTextActor> second;   // what the outlines of a second wheelset are
+  bool hasSecond = false;                 // and whether they are drawn
   bool stale = true, placed = false;
   double highest = 0, contactAt = 0, pixelRatio = 1;
   std::map<Field, double> largest;  // over all snapshots, once asked for
@@ -127,6 +130,11 @@ void SceneView::rebuild() {
   if (patch)
     for (const auto& contact : contactsInPlace(*patch, my.result->surface))
       my.renderer->AddActor(patchActor(contact, parts, my.contactAt, look));
+  // As the first wheelset, it would stand over the patch.
+  const auto outlines = isOfPatch(look.field) ? std::vector<vtkSmartPointer<vtkActor>>()
+                                              : secondWheelsetActors(*my.result, snapshot, look);
+  for (const auto& outline : outlines) my.renderer->AddActor(outline);
+  my.hasSecond = !outlines.empty();
   if (my.choices.springs)
     my.renderer->AddActor(springActor(springLines(my.result->surface, snapshot ? snapshot->wheelTravel : 0), 1.5));
   if (isOfPatch(look.field) && snapshot && !patch)
@@ -154,7 +162,7 @@ void SceneView::rebuild() {
   }
 }
 
-// Right of the model: the scale of the colours, or what sticks and what slips.
+// Right of the model: the scale of the colours, or what sticks and what slips. Above it, what lines without a mesh are.
 void SceneView::showLegend() {
   Parts& my = *parts_;
   const Look& look = my.look;
@@ -165,6 +173,11 @@ void SceneView::showLegend() {
   if (my.title) my.renderer->RemoveActor2D(my.title);
   my.renderer->SetViewport(0, 0, none ? 1.0 : barLeft, 1);
   my.bar->SetViewport(none ? 1.0 : barLeft, 0, 1, 1);
+  if (my.second) my.renderer->RemoveActor2D(my.second);
+  if (my.hasSecond) {
+    my.second = textActor(kSecondWheelset, 0.02, 0.94, high, look.dark);
+    my.renderer->AddActor2D(my.second);
+  }
   if (none) return;
   my.title = textActor(fieldName(look.field), 0.98, 0.02, high, look.dark, 1);
   my.title->GetTextProperty()->SetBackgroundColor(my.renderer->GetBackground());
@@ -274,19 +287,22 @@ void SceneView::lookFrom(StandardView view) {
   const double x = parts_->contactAt;
   const bool isWhole = parts_->result && hasBothSides(parts_->result->surface);
   const double middle = isWhole ? middleAcross(parts_->result->surface) : 0;
+  const double second = parts_->result ? secondWheelsetFrom(*parts_->result) : 0, between = x + 0.5 * second;
   switch (view) {
     case StandardView::overview:
-      return aim(*parts_->renderer, {x, isWhole ? middle : -0.1, 0.22}, overviewFrom, isWhole ? 1.2 : 0.75);
+      return aim(*parts_->renderer, {between, isWhole ? middle : -0.1, 0.22}, overviewFrom,
+                 reachOfBoth(isWhole ? 1.2 : 0.75, second));
     case StandardView::contact:
       if (isOfPatch(parts_->choices.field)) return aim(*parts_->renderer, {x, 0, 0}, {0.3, -0.5, 0.8}, 0.014);
       return parts_->choices.cut ? aim(*parts_->renderer, {x, 0, 0}, {0.25, -0.95, 0.16}, 0.06)
                                  : aim(*parts_->renderer, {x, 0, 0}, {0.5, -0.75, 0.3}, 0.08);
     case StandardView::side:
-      return aim(*parts_->renderer, {x, 0, 0.25}, {0, isWhole ? 1.0 : -1.0, 0}, 0.75);
+      return aim(*parts_->renderer, {between, 0, 0.25}, {0, isWhole ? 1.0 : -1.0, 0}, reachOfBoth(0.75, second));
     case StandardView::front:
       return aim(*parts_->renderer, {x, isWhole ? middle : -0.2, 0.25}, {1, 0, 0}, isWhole ? 1.1 : 0.75);
     case StandardView::top:
-      return aim(*parts_->renderer, {x, isWhole ? middle : -0.1, 0.2}, {0.0001, -0.02, 1}, isWhole ? 1.4 : 0.9);
+      return aim(*parts_->renderer, {between, isWhole ? middle : -0.1, 0.2}, {0.0001, -0.02, 1},
+                 reachOfBoth(isWhole ? 1.4 : 0.9, second));
   }
 }
 
