@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QSignalBlocker>
 #include <QSplitter>
 #include <QTableView>
 #include <QTimer>
@@ -19,7 +20,7 @@
 #include "studio/common/FixedLabel.h"
 #include "studio/common/FlowLayout.h"
 #include "studio/common/LocationToSave.h"
-#include "studio/document/CaseDocument.h"
+#include "studio/profile/EditedDefect.h"
 #include "studio/profile/ImportDialog.h"
 #include "studio/profile/ProfileModel.h"
 #include "studio/profile/ProfilePlot.h"
@@ -30,9 +31,9 @@
 namespace squat::studio {
 
 ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, QWidget* parent)
-    : QWidget(parent), document_(document), style_(style) {
+    : QWidget(parent), style_(style), defect_(new EditedDefect(document, this)) {
   table_ = new QTableView(this);
-  points_ = new ProfileTable(document_, table_);
+  points_ = new ProfileTable(*defect_, table_);
   table_->setModel(points_);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->verticalHeader()->setDefaultSectionSize(22);
@@ -48,7 +49,7 @@ ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, 
   auto* side = new QWidget(this);
   auto* sideLayout = new QVBoxLayout(side);
   sideLayout->setContentsMargins(0, 0, 0, 0);
-  sideLayout->addWidget(new ShapeControls(document_, side));
+  sideLayout->addWidget(new ShapeControls(*defect_, side));
   sideLayout->addWidget(table_, 1);
   side->setMinimumWidth(235);
   splitter_ = new QSplitter(Qt::Horizontal, this);
@@ -66,7 +67,10 @@ ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, 
   foot->addWidget(location_);
   layout->addLayout(foot);
   makePlot(style);
-  connect(&document_, &CaseDocument::changed, this, &ProfileEditor::showNotes);
+  connect(defect_, &EditedDefect::changed, this, &ProfileEditor::showNotes);
+  connect(defect_, &EditedDefect::sidesChanged, this, &ProfileEditor::showSides);
+  connect(defect_, &EditedDefect::replaced, this, &ProfileEditor::showSides);
+  showSides();
   showNotes();
   // Queued: the table lays out its rows first.
   connect(points_, &QAbstractItemModel::modelReset, this, &ProfileEditor::showPoints, Qt::QueuedConnection);
@@ -76,6 +80,7 @@ ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, 
 QWidget* ProfileEditor::makeToolBar() {
   auto* bar = new QWidget(this);
   auto* layout = new FlowLayout(bar);
+  layout->addWidget(makeSideChoice(bar));
   const auto button = [&](const QString& text, const QString& tip, auto action) {
     auto* made = new QToolButton(bar);
     made->setText(text);
@@ -94,7 +99,7 @@ QWidget* ProfileEditor::makeToolBar() {
     chooseSquat();
   })->setObjectName("chooseSquat");
   button(tr("To points"), tr("Convert the shape into points that can be dragged"), [this] {
-    document_.edit(tr("Convert the shape into points"), asPoints(document_.description()));
+    defect_->edit(tr("Convert the shape into points"), asPoints(defect_->description()));
   })->setObjectName("toPoints");
   button(tr("Fit"), tr("Show the whole defect (F)"), [this] { plot_->fit(); });
   giveKeys(*bar, {{"importProfile", "Ctrl+I"},
@@ -125,9 +130,31 @@ QWidget* ProfileEditor::makeToolBar() {
   return bar;
 }
 
+QComboBox* ProfileEditor::makeSideChoice(QWidget* parent) {
+  side_ = new QComboBox(parent);
+  side_->addItems({tr("Left side"), tr("Right side")});
+  side_->setAccessibleName(tr("Side of the track"));
+  side_->setToolTip(
+      tr("Whose defect is shown and changed. The right side has the defect of the left one until it is "
+         "changed here or in the form"));
+  side_->setObjectName("profileSide");
+  connect(side_, &QComboBox::currentIndexChanged, this, [this](int index) {
+    defect_->show(index == 1 ? EditedDefect::Side::right : EditedDefect::Side::left);
+    plot_->fit();
+  });
+  return side_;
+}
+
+// A half model has no choice.
+void ProfileEditor::showSides() {
+  const QSignalBlocker quiet(side_);
+  side_->setCurrentIndex(defect_->side() == EditedDefect::Side::right ? 1 : 0);
+  side_->setVisible(defect_->hasBothSides());
+}
+
 void ProfileEditor::makePlot(const plots::Style& style) {
   style_ = style;
-  plot_ = new ProfilePlot(document_, style, this);
+  plot_ = new ProfilePlot(*defect_, style, this);
   delete splitter_->replaceWidget(0, plot_);
   splitter_->setStretchFactor(0, 4);
   plot_->show();
@@ -171,7 +198,7 @@ bool ProfileEditor::eventFilter(QObject* watched, QEvent* event) {
 void ProfileEditor::showPoints() {
   showNotes();
   if (points_->rowCount() == 0) return;
-  const auto& points = document_.description().defect.points;
+  const auto& points = defect_->description().defect.points;
   const auto deepest =
       std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.height < b.height; });
   const int row = static_cast<int>(deepest - points.begin());
@@ -190,7 +217,7 @@ void ProfileEditor::showChosen() {
 
 // What must be known of the profile, else what can be done with it.
 void ProfileEditor::showNotes() {
-  const QString notes = profileNotes(document_.description().defect);
+  const QString notes = profileNotes(defect_->description().defect);
   const QString hint =
       points_->rowCount() > 0
           ? tr("Drag the curve: points within %1 mm follow (mouse wheel). A double-click adds a point, Delete removes "
@@ -216,7 +243,7 @@ void ProfileEditor::importFile(const QString& path) {
     auto* dialog = new ImportDialog(path, style_, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
-      cases::CaseDescription after = document_.description();
+      cases::CaseDescription after = defect_->description();
       after.defect.shape = cases::DefectShape::profile;
       after.defect.points = dialog->points();
       after.defect.lines.clear();
@@ -225,7 +252,7 @@ void ProfileEditor::importFile(const QString& path) {
       after.defect.heightScale = 1;
       after.defect.from = after.defect.to = 0;
       after.defect.filter = cases::ProfileFilter::none;
-      document_.edit(tr("Import a profile"), after);
+      defect_->edit(tr("Import a profile"), after);
       plot_->choose(std::nullopt);  // even where one point alone differs from the profile before
       plot_->fit();
     });
@@ -236,10 +263,10 @@ void ProfileEditor::importFile(const QString& path) {
 }
 
 void ProfileEditor::chooseSquat() {
-  auto* dialog = new SquatDialog(document_.description(), style_, this);
+  auto* dialog = new SquatDialog(defect_->description(), style_, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog] {
-    document_.edit(tr("Choose a squat"), dialog->description());
+    defect_->edit(tr("Choose a squat"), dialog->description());
     plot_->choose(std::nullopt);
     plot_->fit();
   });
@@ -249,7 +276,7 @@ void ProfileEditor::chooseSquat() {
 void ProfileEditor::exportFile() {
   const QString path = locationToSave(this, tr("Export the profile"), "profile.csv", tr("CSV (*.csv)"));
   if (path.isEmpty()) return;
-  const ProfileView view = profileView(document_.description());
+  const ProfileView view = profileView(defect_->description());
   QByteArray text("position [mm],height [um]\n");
   for (const auto& point : view.handles.empty() ? view.surface : view.handles)
     text += QByteArray::number(point.position * 1e3, 'g', 12) + ',' + QByteArray::number(point.height * 1e6, 'g', 12) +

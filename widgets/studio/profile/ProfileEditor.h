@@ -1,4 +1,4 @@
-// widgets/studio/profile/ProfileEditor.h - the defect: curve, numbers, shapes, import.
+// widgets/studio/profile/ProfileEditor.h - the defect: curve, numbers, shapes, import; of a whole model of either side.
 #pragma once
 
 #include <QWidget>
@@ -15,6 +15,7 @@ namespace squat::studio {
 
 class FixedLabel;
 class CaseDocument;
+class EditedDefect;
 class ProfilePlot;
 class ProfileTable;
 
@@ -41,17 +42,19 @@ class ProfileEditor : public QWidget {
   void exportFile();
   void chooseSquat();
   QWidget* makeToolBar();
+  QComboBox* makeSideChoice(QWidget* parent);
+  void showSides();
   HeightUnit unit() const;
   void showPoints();
   void showChosen();  // in the table
   void showNotes();
 
-  CaseDocument& document_;
   plots::Style style_;
+  EditedDefect* defect_;  // of the side that is shown
   ProfilePlot* plot_ = nullptr;
   QTableView* table_;
   QSplitter* splitter_;
-  QComboBox *snap_, *unitChoice_;
+  QComboBox *side_, *snap_, *unitChoice_;
   ProfileTable* points_;
   QLabel* location_;
   FixedLabel* notes_;

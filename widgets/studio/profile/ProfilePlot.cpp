@@ -9,7 +9,7 @@
 
 #include "studio/common/KeyboardZoom.h"
 #include "studio/common/MouseZoom.h"
-#include "studio/document/CaseDocument.h"
+#include "studio/profile/EditedDefect.h"
 
 namespace squat::studio {
 namespace {
@@ -36,8 +36,8 @@ QVector<double> heights(const std::vector<cases::ProfilePoint>& points, double p
 
 }  // namespace
 
-ProfilePlot::ProfilePlot(CaseDocument& document, const plots::Style& style, QWidget* parent)
-    : Figure("profile_editor", style, parent), document_(document) {
+ProfilePlot::ProfilePlot(EditedDefect& defect, const plots::Style& style, QWidget* parent)
+    : Figure("profile_editor", style, parent), defect_(defect) {
   setAccessibleName(tr("Profile of the defect"));
   setMinimumSize(250, 180);
   yAxis->setLabel(tr("Height [%1]").arg(unit_.name));
@@ -72,8 +72,8 @@ ProfilePlot::ProfilePlot(CaseDocument& document, const plots::Style& style, QWid
                            .arrowsAreTaken = [this] { return isChosen(); },
                            .more = tr("A point that is chosen in the table is moved by the arrow keys and removed by "
                                       "Delete; Insert adds one behind it, Escape releases it.")});
-  connect(&document_, &CaseDocument::changed, this, &ProfilePlot::update);
-  connect(&document_, &CaseDocument::replaced, this, [this] { choose(std::nullopt); });
+  connect(&defect_, &EditedDefect::changed, this, &ProfilePlot::update);
+  connect(&defect_, &EditedDefect::replaced, this, [this] { choose(std::nullopt); });
   update();
 }
 
@@ -92,18 +92,18 @@ void ProfilePlot::setSnap(double position, double height) {
 }
 
 void ProfilePlot::update() {
-  view_ = profileView(document_.description());
+  view_ = profileView(defect_.description());
   surface_->setData(positions(view_.surface), heights(view_.surface, unit_.perMetre), true);
   path_->setData(positions(view_.wheelPath), heights(view_.wheelPath, unit_.perMetre), true);
   handles_->setData(positions(view_.handles), heights(view_.handles, unit_.perMetre), true);
-  shape_ = shapeHandles(document_.description());
+  shape_ = shapeHandles(defect_.description());
   QVector<double> along, up;
   for (const ShapeHandle& handle : shape_) {
     along << handle.at.position * toMillimetres;
     up << handle.at.height * unit_.perMetre;
   }
   grips_->setData(along, up, true);
-  const auto& points = document_.description().defect.points;
+  const auto& points = defect_.description().defect.points;
   const bool isDragged = dragging_ && chosen_ && points.size() == points_.size();
   const auto kept = isDragged ? chosen_ : chosen_ ? pointAfter(points_, points, *chosen_) : std::nullopt;
   points_ = points;
@@ -211,7 +211,7 @@ std::optional<ShapeHandle> ProfilePlot::gripAt(const QPointF& location) const {
     if (std::hypot(offset.x(), offset.y()) < catchRadius) return handle;
   }
   if (shape_.empty() || distanceToCurve(location) > curveRadius) return std::nullopt;
-  return handleOnCurve(document_.description(), xAxis->pixelToCoord(location.x()) / toMillimetres);
+  return handleOnCurve(defect_.description(), xAxis->pixelToCoord(location.x()) / toMillimetres);
 }
 
 std::optional<std::size_t> ProfilePlot::pointUnder(const QPointF& location) const {
@@ -242,11 +242,11 @@ cases::ProfilePoint ProfilePlot::profileAt(const QPointF& location) const {
 }
 
 void ProfilePlot::putPoint(std::size_t index, cases::ProfilePoint to) {
-  cases::CaseDescription after = document_.description();
+  cases::CaseDescription after = defect_.description();
   to = pointOfCase(after.defect, to, after.defect.points[index].height);
   after.defect.points = movedPoint(after.defect.points, index, to);
   after.defect.file.clear();
-  document_.edit(tr("Move point %1").arg(index + 1), after);
+  defect_.edit(tr("Move point %1").arg(index + 1), after);
 }
 
 // What is under the mouse: a point, a handle or the curve. False: nothing is.
@@ -257,22 +257,22 @@ bool ProfilePlot::grab(const QPointF& location) {
   choose(point);
   if (!point && !grip_) return false;
   offset_ = (grip_ ? locationOf(grip_->at) : locationOf(*point)) - location;
-  pressed_ = document_.description();
-  gesture_ = document_.newGesture();
+  pressed_ = defect_.description();
+  gesture_ = defect_.newGesture();
   return true;
 }
 
 void ProfilePlot::drag(const QPointF& location) {
   const cases::ProfilePoint to = profileAt(location + offset_);
   if (grip_)
-    return document_.edit(tr("Change %1").arg(QString::fromStdString(grip_->key)), pulled(pressed_, *grip_, to),
-                          gesture_);
+    return defect_.edit(tr("Change %1").arg(QString::fromStdString(grip_->key)), pulled(pressed_, *grip_, to),
+                        gesture_);
   if (!chosen_ || *chosen_ >= pressed_.defect.points.size()) return;
   cases::CaseDescription after = pressed_;
   const auto of = pointOfCase(after.defect, to, after.defect.points[*chosen_].height);
   after.defect.points = pulledPoints(pressed_.defect.points, *chosen_, of, radius_);
   after.defect.file.clear();
-  document_.edit(tr("Move point %1").arg(*chosen_ + 1), after, gesture_);
+  defect_.edit(tr("Move point %1").arg(*chosen_ + 1), after, gesture_);
 }
 
 void ProfilePlot::moveView(const QPointF& location) {
@@ -325,13 +325,13 @@ void ProfilePlot::mouseReleaseEvent(QMouseEvent* event) {
 void ProfilePlot::mouseDoubleClickEvent(QMouseEvent* event) {
   if (!axisRect()->rect().contains(event->pos()) || pointAt(event->position())) return;
   dragging_ = moving_ = false;
-  cases::CaseDescription after = asPoints(document_.description());
-  if (view_.handles.empty()) return document_.edit(tr("Convert the shape into points"), after);
+  cases::CaseDescription after = asPoints(defect_.description());
+  if (view_.handles.empty()) return defect_.edit(tr("Convert the shape into points"), after);
   cases::ProfilePoint added = pointOfCase(after.defect, profileAt(event->position()));
   added.height = heightOn(after.defect.points, added.position);
   after.defect.points = withPoint(after.defect.points, added);
   after.defect.file.clear();
-  document_.edit(tr("Insert point"), after);
+  defect_.edit(tr("Insert point"), after);
   choose(pointAt({event->position().x(), locationOf({added.position, added.height * shownScale(after.defect)}).y()}));
 }
 
@@ -349,7 +349,7 @@ void ProfilePlot::wheelEvent(QWheelEvent* event) {
 }
 
 void ProfilePlot::insertPoint() {
-  cases::CaseDescription after = document_.description();
+  cases::CaseDescription after = defect_.description();
   auto& points = after.defect.points;
   if (!isChosen() || points.size() < 2) return;
   const std::size_t from = std::min(*chosen_, points.size() - 2), before = points.size();
@@ -357,7 +357,7 @@ void ProfilePlot::insertPoint() {
   points = withPoint(points, {(first.position + second.position) / 2, (first.height + second.height) / 2});
   if (points.size() == before) return;  // they are too near for one between them
   after.defect.file.clear();
-  document_.edit(tr("Insert point"), after);
+  defect_.edit(tr("Insert point"), after);
   choose(from + 1);
 }
 
@@ -365,10 +365,10 @@ void ProfilePlot::insertPoint() {
 void ProfilePlot::removePoint() {
   if (!isChosen()) return;
   const std::size_t next = *chosen_;
-  cases::CaseDescription after = document_.description();
+  cases::CaseDescription after = defect_.description();
   after.defect.points = withoutPoint(after.defect.points, next);
   after.defect.file.clear();
-  document_.edit(tr("Delete point"), after);
+  defect_.edit(tr("Delete point"), after);
   if (next < view_.handles.size()) choose(next);
 }
 

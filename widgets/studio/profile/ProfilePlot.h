@@ -12,7 +12,7 @@
 
 namespace squat::studio {
 
-class CaseDocument;
+class EditedDefect;
 
 // The curve is pulled with the left button: of an analytic shape up and down for its depth, its ends along the rail for
 // its length; of a sampled one a point, and what is within a radius follows, which the wheel changes during the drag.
@@ -23,7 +23,7 @@ class CaseDocument;
 class ProfilePlot : public plots::Figure {
   Q_OBJECT
  public:
-  ProfilePlot(CaseDocument& document, const plots::Style& style, QWidget* parent = nullptr);
+  ProfilePlot(EditedDefect& defect, const plots::Style& style, QWidget* parent = nullptr);
 
   void setUnit(const HeightUnit& unit);
   void setSnap(double position, double height);  // [m]; zero: free
@@ -66,7 +66,7 @@ class ProfilePlot : public plots::Figure {
   void drag(const QPointF& location);
   void moveView(const QPointF& location);
 
-  CaseDocument& document_;
+  EditedDefect& defect_;
   HeightUnit unit_;
   ProfileView view_;
   std::vector<cases::ProfilePoint> points_;  // of the case, as last seen

@@ -3,18 +3,18 @@
 #include <QLocale>
 #include <cmath>
 
-#include "studio/document/CaseDocument.h"
+#include "studio/profile/EditedDefect.h"
 #include "studio/profile/ProfileModel.h"
 
 namespace squat::studio {
 
-ProfileTable::ProfileTable(CaseDocument& document, QObject* parent) : QAbstractTableModel(parent), document_(document) {
-  connect(&document_, &CaseDocument::changed, this, &ProfileTable::update);
+ProfileTable::ProfileTable(EditedDefect& defect, QObject* parent) : QAbstractTableModel(parent), defect_(defect) {
+  connect(&defect_, &EditedDefect::changed, this, &ProfileTable::update);
   update();
 }
 
 void ProfileTable::update() {
-  const auto& defect = document_.description().defect;
+  const auto& defect = defect_.description().defect;
   const bool sampled = defect.shape == cases::DefectShape::profile;
   scale_ = shownScale(defect);
   std::vector<cases::ProfilePoint> points = sampled ? defect.points : std::vector<cases::ProfilePoint>();
@@ -71,11 +71,11 @@ bool ProfileTable::setData(const QModelIndex& index, const QVariant& value, int 
   if (index.column() == 1 && !(scale_ > 0)) return false;  // any height would be shown as zero
   (index.column() == 0 ? to.position : to.height) = number / (index.column() == 0 ? 1e3 : scale_ * unit_.perMetre);
   if (std::abs(to.height) > 0.05) return false;
-  cases::CaseDescription after = document_.description();
+  cases::CaseDescription after = defect_.description();
   after.defect.points = movedPoint(after.defect.points, row, to);
   if (after.defect.points[row].position != to.position) return false;
   after.defect.file.clear();
-  document_.edit(tr("Change point %1").arg(row + 1), after);
+  defect_.edit(tr("Change point %1").arg(row + 1), after);
   return true;
 }
 

@@ -10,14 +10,14 @@
 
 namespace squat::studio {
 
-class CaseDocument;
+class EditedDefect;
 
 // Two columns: position [mm], height as it is run, with the height scale [um or mm]. Read-only for analytic shapes
 // (their handles are no points of the case).
 class ProfileTable : public QAbstractTableModel {
   Q_OBJECT
  public:
-  explicit ProfileTable(CaseDocument& document, QObject* parent = nullptr);
+  explicit ProfileTable(EditedDefect& defect, QObject* parent = nullptr);
 
   void setUnit(const HeightUnit& unit);
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -29,7 +29,7 @@ class ProfileTable : public QAbstractTableModel {
 
  private:
   void update();
-  CaseDocument& document_;
+  EditedDefect& defect_;
   HeightUnit unit_;
   double scale_ = 1;  // from the heights of the case to those shown
   std::vector<cases::ProfilePoint> points_;

@@ -13,7 +13,7 @@
 #include "studio/common/EditorHabits.h"
 #include "studio/common/NumberBox.h"
 #include "studio/common/Words.h"
-#include "studio/document/CaseDocument.h"
+#include "studio/profile/EditedDefect.h"
 #include "studio/profile/ProfileModel.h"
 
 namespace squat::studio {
@@ -34,29 +34,29 @@ const std::map<std::string, std::set<std::string>>& measuresOf() {
   return table;
 }
 
-QComboBox* choiceBox(const std::string& key, CaseDocument& document, QWidget* parent) {
+QComboBox* choiceBox(const std::string& key, EditedDefect& edited, QWidget* parent) {
   auto* box = new QComboBox(parent);
   if (const auto* parameter = cases::findParameter(key))
     for (const auto& name : parameter->choices) box->addItem(QString::fromStdString(name));
   box->setObjectName("shape " + QString::fromStdString(key));
   box->setAccessibleName(QString::fromStdString(key));
-  QObject::connect(box, &QComboBox::activated, box, [&document, key, box] {
+  QObject::connect(box, &QComboBox::activated, box, [&edited, key, box] {
     const std::string chosen = box->currentText().toStdString();
     // A sampled profile needs points: those of the shape seen so far.
-    if (key == "defect.shape" && chosen == "profile" && document.description().defect.points.empty() &&
-        document.description().defect.lines.empty())
-      document.edit(QObject::tr("Convert the shape into points"), asPoints(document.description()));
+    if (key == "defect.shape" && chosen == "profile" && edited.description().defect.points.empty() &&
+        edited.description().defect.lines.empty())
+      edited.edit(QObject::tr("Convert the shape into points"), asPoints(edited.description()));
     else
-      document.setParameter(key, chosen);
+      edited.setParameter(key, chosen);
   });
   return box;
 }
 
 }  // namespace
 
-ShapeControls::ShapeControls(CaseDocument& document, QWidget* parent) : QWidget(parent), document_(document) {
-  shape_ = choiceBox("defect.shape", document, this);
-  lateral_ = choiceBox("defect.lateral", document, this);
+ShapeControls::ShapeControls(EditedDefect& defect, QWidget* parent) : QWidget(parent), defect_(defect) {
+  shape_ = choiceBox("defect.shape", defect, this);
+  lateral_ = choiceBox("defect.lateral", defect, this);
   auto* top = new QGridLayout;
   top->addWidget(new QLabel(tr("Shape"), this), 0, 0);
   top->addWidget(shape_, 0, 1);
@@ -77,7 +77,7 @@ ShapeControls::ShapeControls(CaseDocument& document, QWidget* parent) : QWidget(
   addMeasure("defect.half_width", 4, 36);
   letWheelPass(*this);
   leaveUndoToWindow(*this);
-  connect(&document_, &CaseDocument::changed, this, &ShapeControls::update);
+  connect(&defect_, &EditedDefect::changed, this, &ShapeControls::update);
   update();
 }
 
@@ -109,7 +109,7 @@ void ShapeControls::addMeasure(const std::string& key, double from, double to) {
   layout()->addWidget(row);
   const std::size_t index = measures_.size();
   measures_.push_back({key, row, slider, number, from, to});
-  connect(slider, &QSlider::sliderPressed, this, [this] { gesture_ = document_.newGesture(); });
+  connect(slider, &QSlider::sliderPressed, this, [this] { gesture_ = defect_.newGesture(); });
   connect(slider, &QSlider::sliderReleased, this, [this] { gesture_ = 0; });
   connect(slider, &QSlider::valueChanged, this, [this, index](int step) {
     const Measure& measure = measures_[index];
@@ -122,14 +122,14 @@ void ShapeControls::addMeasure(const std::string& key, double from, double to) {
 
 void ShapeControls::setMeasure(const Measure& measure, double value, int gesture) {
   const cases::Parameter* parameter = cases::findParameter(measure.key);
-  cases::CaseDescription after = document_.description();
+  cases::CaseDescription after = defect_.description();
   const QString text = parameter->integer ? QString::number(std::lround(value)) : QString::number(value, 'g', 12);
   if (cases::trySetValue(after, *parameter, text.toStdString())) return;
-  document_.edit(tr("Change %1").arg(QString::fromStdString(measure.key)), after, gesture);
+  defect_.edit(tr("Change %1").arg(QString::fromStdString(measure.key)), after, gesture);
 }
 
 void ShapeControls::update() {
-  const auto& description = document_.description();
+  const auto& description = defect_.description();
   const auto* shape = cases::findParameter("defect.shape");
   const std::string name = cases::valueText(description, *shape);
   shape_->setCurrentText(QString::fromStdString(name));

@@ -10,13 +10,13 @@
 
 namespace squat::studio {
 
-class CaseDocument;
+class EditedDefect;
 
 // Which measures are shown follows the shape; their ranges come from the parameter table.
 class ShapeControls : public QWidget {
   Q_OBJECT
  public:
-  explicit ShapeControls(CaseDocument& document, QWidget* parent = nullptr);
+  explicit ShapeControls(EditedDefect& defect, QWidget* parent = nullptr);
 
  private:
   struct Measure {
@@ -30,7 +30,7 @@ class ShapeControls : public QWidget {
   void setMeasure(const Measure& measure, double value, int gesture);
   void update();
 
-  CaseDocument& document_;
+  EditedDefect& defect_;
   QComboBox *shape_, *lateral_;
   std::vector<Measure> measures_;
   int gesture_ = 0;
