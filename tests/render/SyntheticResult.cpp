@@ -171,6 +171,18 @@ results::RunResult syntheticResult() {
   return result;
 }
 
+results::RunResult withoutCutFaces(results::RunResult result) {
+  auto& mesh = result.surface;
+  const results::SurfaceMesh all = mesh;
+  mesh.quads.clear(), mesh.part.clear();
+  for (std::size_t quad = 0; quad < all.part.size(); ++quad) {
+    if (all.partNames[all.part[quad]].ends_with(" cut")) continue;
+    mesh.part.push_back(all.part[quad]);
+    for (std::size_t corner = 0; corner < 4; ++corner) mesh.quads.push_back(all.quads[4 * quad + corner]);
+  }
+  return result;
+}
+
 results::RunResult syntheticWhole(double rightStress) {
   constexpr float trackCentre = -0.75f;
   const auto factor = static_cast<float>(rightStress);

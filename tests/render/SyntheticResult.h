@@ -13,6 +13,8 @@ results::RunResult syntheticResult();
 // The same as a whole model: what the surface holds has its mirror image at the track centre, y = -0.75 m, with stress
 // and contact pressure times `rightStress`. Inner faces are those of the left side alone.
 results::RunResult syntheticWhole(double rightStress);
+// Without the inner faces of cuts, which the right side of a whole model does not have.
+results::RunResult withoutCutFaces(results::RunResult result);
 inline std::shared_ptr<const results::RunResult> sharedSyntheticResult() {
   return std::make_shared<const results::RunResult>(syntheticResult());
 }
