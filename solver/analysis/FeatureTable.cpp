@@ -14,41 +14,65 @@ namespace squat::analysis {
 
 namespace {
 
-// Names as featureTable gives them, without their units, up to the name of a band. First match counts.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kMeanings{{
-    {"speed", "of the wheel where it passes the anchor"},
-    {"impact time", "of the anchor, since the start of the record"},
-    {"peak to peak", "largest less smallest value of aba_filtered"},
-    {"peak", "largest absolute value of aba_filtered"},
-    {"maximum", "largest value of aba_filtered"},
-    {"minimum", "smallest value of aba_filtered"},
-    {"rms", "root mean square of aba_filtered, whole record"},
-    {"largest moving rms", "largest root mean square of aba_filtered over 250 mm"},
-    {"wavelength by crossings", "mean after the impact, from the zero crossings; not a number: fewer than three"},
-    {"wavelength by ridge", "mean after the impact, from the ridge of the wavelet transform; not a number: no waves"},
-    {"power", "integral of the spectrum of aba_filtered over the band"},
-    {"free vibration", "until the band has decayed to a tenth; not a number: longer than the record"},
-    {"spectrum integral", "of the density around the anchor, over all frequencies"},
-    {"spectrum mean square", "of the samples around the anchor: what the integral should be"},
-    {"smallest contact force", "smallest vertical force on the rail"},
-    {"largest contact force", "largest vertical force on the rail"},
+// What a row of the catalogue says of a feature, whose name is as featureTable gives it, without unit and band.
+struct Meaning {
+  std::string_view name, title, meaning;
+};
+// First match counts.
+constexpr std::array<Meaning, 16> kMeanings{{
+    {"speed", "Speed at the defect", "of the wheel where it passes the anchor"},
+    {"impact time", "Time of the impact", "of the anchor, since the start of the record"},
+    {"peak to peak", "Largest less smallest acceleration", "largest less smallest value of aba_filtered"},
+    {"peak", "Largest acceleration, up or down", "largest absolute value of aba_filtered"},
+    {"maximum", "Largest acceleration", "largest value of aba_filtered"},
+    {"minimum", "Smallest acceleration", "smallest value of aba_filtered"},
+    {"rms", "Root mean square of the acceleration", "root mean square of aba_filtered, whole record"},
+    {"largest moving rms", "Largest root mean square over 250 mm",
+     "largest root mean square of aba_filtered over 250 mm"},
+    {"wavelength by crossings", "Wavelength behind the defect, by zero crossings",
+     "mean after the impact, from the zero crossings; not a number: fewer than three"},
+    {"wavelength by ridge", "Wavelength behind the defect, by wavelets",
+     "mean after the impact, from the ridge of the wavelet transform; not a number: no waves"},
+    {"power", "Power", "integral of the spectrum of aba_filtered over the band"},
+    {"free vibration", "Free vibration", "until the band has decayed to a tenth; not a number: longer than the record"},
+    {"spectrum integral", "Integral of the spectrum", "of the density around the anchor, over all frequencies"},
+    {"spectrum mean square", "Mean square around the defect",
+     "of the samples around the anchor: what the integral should be"},
+    {"smallest contact force", "Smallest contact force", "smallest vertical force on the rail"},
+    {"largest contact force", "Largest contact force", "largest vertical force on the rail"},
 }};
 
 // "peak 2 width": of the peaks of the spectrum around the anchor, the most prominent first.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kPeakMeanings{{
-    {"frequency", "of peak N of the spectrum around the anchor (100 mm before to 280 mm behind it)"},
-    {"width", "of that peak, at half its prominence"},
-    {"prominence", "of that peak: its height above the higher of the two valleys beside it"},
+constexpr std::array<Meaning, 3> kPeakMeanings{{
+    {"frequency", "Line N of the spectrum",
+     "of peak N of the spectrum around the anchor (100 mm before to 280 mm behind it)"},
+    {"width", "Width of line N", "of that peak, at half its prominence"},
+    {"prominence", "Prominence of line N", "of that peak: its height above the higher of the two valleys beside it"},
 }};
 
-std::string peakMeaning(std::string_view rest) {
-  for (const auto& [quantity, meaning] : kPeakMeanings) {
-    if (!rest.substr(2).starts_with(quantity)) continue;
-    std::string text(meaning);
-    if (const auto at = text.find('N'); at != std::string::npos) text[at] = rest[0];
-    return text + "; not a number: fewer peaks";
+// "2 width" of "peak 2 width"; empty for any other name.
+std::string_view peakIn(std::string_view name) {
+  constexpr std::string_view peak = "peak ";
+  const bool isPeak =
+      name.starts_with(peak) && name.size() > peak.size() + 2 && name[peak.size()] >= '1' && name[peak.size()] <= '9';
+  return isPeak ? name.substr(peak.size()) : std::string_view();
+}
+
+// `part` of the row that such a peak has; empty where there is none.
+std::string ofPeak(std::string_view peak, std::string_view Meaning::*part) {
+  for (const auto& row : kPeakMeanings) {
+    if (!peak.substr(2).starts_with(row.name)) continue;
+    std::string text(row.*part);
+    if (const auto at = text.find('N'); at != std::string::npos) text[at] = peak[0];
+    return text;
   }
   return {};
+}
+
+const Meaning* meaningRow(std::string_view name) {
+  const auto found =
+      std::find_if(kMeanings.begin(), kMeanings.end(), [&](const auto& row) { return name.starts_with(row.name); });
+  return found == kMeanings.end() ? nullptr : &*found;
 }
 
 // Of another axle box than the first: "right peak [m/s2]".
@@ -69,13 +93,12 @@ std::string meaningOf(const std::string& column) {
     const auto at = text.find(first);
     return at == std::string::npos ? text + std::string(wheel) : text.replace(at, first.size(), signal);
   }
-  constexpr std::string_view peak = "peak ";
-  const std::string_view name = column;
-  if (name.starts_with(peak) && name.size() > peak.size() + 2 && name[peak.size()] >= '1' && name[peak.size()] <= '9')
-    return peakMeaning(name.substr(peak.size()));
-  const auto found =
-      std::find_if(kMeanings.begin(), kMeanings.end(), [&](const auto& row) { return name.starts_with(row.first); });
-  return found == kMeanings.end() ? std::string() : std::string(found->second);
+  if (const auto peak = peakIn(column); !peak.empty()) {
+    const auto text = ofPeak(peak, &Meaning::meaning);
+    return text.empty() ? text : text + "; not a number: fewer peaks";
+  }
+  const auto* row = meaningRow(column);
+  return row ? std::string(row->meaning) : std::string();
 }
 
 // "peak [m/s2]" -> "m/s2"
@@ -129,6 +152,19 @@ std::string featureWord(const std::string& column) {
   std::replace(word.begin(), word.end(), ' ', '_');
   word.erase(std::remove(word.begin(), word.end(), ','), word.end());
   return word;
+}
+
+std::string featureTitle(const std::string& name) {
+  std::string words(text::trimmed(name.substr(0, name.find('['))));
+  std::replace(words.begin(), words.end(), '_', ' ');
+  for (const auto& [whose, signal, wheel] : kOthers)
+    if (words.starts_with(whose)) return featureTitle(words.substr(whose.size())) + std::string(wheel);
+  if (const auto peak = peakIn(words); !peak.empty())
+    if (auto title = ofPeak(peak, &Meaning::title); !title.empty()) return title;
+  const auto* row = meaningRow(words);
+  if (!row) return words;
+  const auto band = text::trimmed(std::string_view(words).substr(row->name.size()));
+  return std::string(row->title) + (band.empty() ? "" : ", " + std::string(band));
 }
 
 std::vector<results::Scalar> featureScalars(const results::RunResult& result) {

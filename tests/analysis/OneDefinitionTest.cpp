@@ -112,5 +112,32 @@ TEST(OneDefinition, theScalogramOfALongRecordIsThatOfACut) {
   EXPECT_LE(all.scalogramPosition.back(), 0.28 + 1e-9);
 }
 
+// Titles as they were written down by hand; whichever form of the name a file or a table has, they are the same.
+TEST(FeatureTitle, isInWordsForColumnsAndForFeaturesOfAResult) {
+  for (const auto& [name, title] : std::map<std::string, std::string>{
+           {"peak [m/s2]", "Largest acceleration, up or down"},
+           {"peak_to_peak", "Largest less smallest acceleration"},
+           {"peak 2 frequency [Hz]", "Line 2 of the spectrum"},
+           {"peak_1_prominence", "Prominence of line 1"},
+           {"wavelength by crossings [m]", "Wavelength behind the defect, by zero crossings"},
+           {"power_200-400_Hz", "Power, 200-400 Hz"},
+           {"free vibration 1000-1200 Hz [s]", "Free vibration, 1000-1200 Hz"},
+           {"right_smallest_contact_force", "Smallest contact force, of the right wheel"},
+           {"what_nobody_knows [m]", "what nobody knows"}})
+    EXPECT_EQ(featureTitle(name), title);
+}
+
+// A feature that the catalogue lacks would be printed under its name.
+TEST(FeatureTitle, isThereForEveryFeatureOfARun) {
+  const auto features = featureScalars(lateSwing());
+  EXPECT_GT(features.size(), 20U);
+  for (const auto& feature : features) {
+    const auto title = featureTitle(feature.name);
+    EXPECT_EQ(title.find('_'), std::string::npos) << title;
+    EXPECT_TRUE(title[0] >= 'A' && title[0] <= 'Z') << title;
+    EXPECT_FALSE(feature.description.empty()) << feature.name;
+  }
+}
+
 }  // namespace
 }  // namespace squat::analysis
