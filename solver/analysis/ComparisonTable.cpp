@@ -63,9 +63,13 @@ std::string withoutBreaks(std::string text) {
 
 }  // namespace
 
-NamedNumbers signalNumbers(const signals::Record& signal) {
+signals::Features comparedFeatures(const signals::Record& signal) { return signals::features(usualPassage(signal)); }
+
+NamedNumbers signalNumbers(const signals::Record& signal) { return signalNumbers(comparedFeatures(signal)); }
+
+NamedNumbers signalNumbers(const signals::Features& features) {
   NamedNumbers numbers;
-  for (const auto& [name, value] : signals::featureRow(signals::features(usualPassage(signal)), shownLines))
+  for (const auto& [name, value] : signals::featureRow(features, shownLines))
     if (const std::string column = columnOf(name); !column.empty()) numbers.emplace_back(column, value);
   // The lines right behind the peak.
   std::stable_partition(numbers.begin(), numbers.end(), [](const auto& each) {

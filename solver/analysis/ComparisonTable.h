@@ -8,6 +8,7 @@
 
 #include "case/CaseNames.h"
 #include "signals/Comparison.h"
+#include "signals/Features.h"
 #include "signals/Record.h"
 
 namespace squat::analysis {
@@ -15,8 +16,13 @@ namespace squat::analysis {
 // Names with unit and values; not-a-number where a signal has none.
 using NamedNumbers = std::vector<std::pair<std::string, double>>;
 
+// The features of a signal that the table is made of, of its acceleration up to 2 kHz. Throws FileError, CaseError and
+// SignalError.
+signals::Features comparedFeatures(const signals::Record& signal);
+
 // What the table shows of a signal: peak, three lines, wavelength and band powers, those of squat analyse. Throws
-// FileError, CaseError and SignalError.
+// as comparedFeatures.
+NamedNumbers signalNumbers(const signals::Features& features);
 NamedNumbers signalNumbers(const signals::Record& signal);
 
 // The comparison of squat compare SIGNAL REFERENCE, without names. Throws the same.

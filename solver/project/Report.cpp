@@ -1,7 +1,9 @@
 #include "project/Report.h"
 
 #include <algorithm>
+#include <filesystem>
 
+#include "core/Errors.h"
 #include "project/LinkedRun.h"
 
 namespace squat::project {
@@ -32,7 +34,8 @@ ReportSignal openedSignal(const Entry& entry, std::string& problem) {
 }  // namespace
 
 Report reportOf(const Project& project, std::vector<std::string>& problems) {
-  Report report{{}, project.notes, {}, -1, -1};
+  Report report;
+  report.notes = project.notes;
   for (std::size_t i = 0; i < project.entries.size(); ++i) {
     const Entry& entry = project.entries[i];
     const bool shown = static_cast<int>(i) == project.current;
@@ -45,7 +48,20 @@ Report reportOf(const Project& project, std::vector<std::string>& problems) {
     report.signals.push_back(std::move(signal));
   }
   if (report.reference < 0) report.reference = usualReference(report);
+  addEvents(project.records, report, problems);
   return report;
+}
+
+void addEvents(const LongRecords& records, Report& report, std::vector<std::string>& problems) {
+  if (records.events.empty()) return;
+  try {
+    report.events = readEventList(records.events);
+  } catch (const FileError& error) {
+    problems.emplace_back(error.what());
+    return;
+  }
+  report.eventFolder = std::filesystem::path(records.events).parent_path().string();
+  report.seen = records.seen;
 }
 
 }  // namespace squat::project

@@ -36,6 +36,29 @@ Curve envelopeOf(const std::vector<detection::Piece>& pieces, double factor) {
   return curve;
 }
 
+struct EventMark {
+  std::string kind;
+  double position = 0, peak = 0;  // [m], [m/s2]
+};
+
+// Of every kind that there is; `factor` from metres to the unit of the axis.
+void addEventMarks(Figure& figure, const std::vector<EventMark>& events, double factor) {
+  for (std::size_t k = 0; k < kindMarks.size(); ++k) {
+    Curve marks;
+    const std::string kind = detection::toText(kindMarks[k].first);
+    marks.label = QString::fromStdString(kind);
+    marks.colour = k;
+    for (const auto& event : events)
+      if (event.kind == kind) marks.x.push_back(factor * event.position), marks.y.push_back(event.peak);
+    if (marks.x.empty()) continue;
+    QCPGraph* graph = addCurve(figure, marks);
+    graph->setLineStyle(QCPGraph::lsNone);
+    graph->setScatterStyle(QCPScatterStyle(kindMarks[k].second, figure.style().curve(k), 5));
+  }
+}
+
+constexpr double shortTrack = 2000;  // [m] that is shown in metres, not in kilometres
+
 std::unique_ptr<Figure> overviewFigure(const detection::DetectionReport& report, std::size_t channel, bool isLast,
                                        const Style& style) {
   const auto& record = report.records.front();
@@ -43,7 +66,7 @@ std::unique_ptr<Figure> overviewFigure(const detection::DetectionReport& report,
   auto figure = std::make_unique<Figure>(QString::fromStdString("overview_" + own.name), style);
   figure->setPrintedSize({175, 55});
   const auto& pieces = own.pieces;
-  const bool isShort = pieces.empty() || std::abs(pieces.back().position - pieces.front().position) < 2000;
+  const bool isShort = pieces.empty() || std::abs(pieces.back().position - pieces.front().position) < shortTrack;
   const double factor = isShort ? 1.0 : 1e-3;  // metres, or kilometres
   if (isLast) figure->xAxis->setLabel(isShort ? "Chainage [m]" : "Chainage [km]");
   figure->yAxis->setLabel(QStringLiteral("Largest |%1| [%2]")
@@ -54,20 +77,11 @@ std::unique_ptr<Figure> overviewFigure(const detection::DetectionReport& report,
     figure->xAxis->setRange(*low, std::max(*high, *low + 1e-6));
   }
   addCurve(*figure, envelope)->setPen(QPen(style.axis, 0.6));
-  for (std::size_t k = 0; k < kindMarks.size(); ++k) {
-    Curve marks;
-    marks.label = QString::fromStdString(detection::toText(kindMarks[k].first));
-    marks.colour = k;
-    for (const auto& combined : report.events)
-      if (combined.event.channel == own.name && combined.event.kind == kindMarks[k].first) {
-        marks.x.push_back(factor * combined.event.position);
-        marks.y.push_back(combined.event.peak);
-      }
-    if (marks.x.empty()) continue;
-    QCPGraph* graph = addCurve(*figure, marks);
-    graph->setLineStyle(QCPGraph::lsNone);
-    graph->setScatterStyle(QCPScatterStyle(kindMarks[k].second, style.curve(k), 5));
-  }
+  std::vector<EventMark> marks;
+  for (const auto& combined : report.events)
+    if (combined.event.channel == own.name)
+      marks.push_back({detection::toText(combined.event.kind), combined.event.position, combined.event.peak});
+  addEventMarks(*figure, marks, factor);
   fitValues(*figure);
   keepZeroInSight(*figure);
   return figure;
@@ -156,6 +170,27 @@ std::vector<FigureSheet> detectionFigures(const detection::DetectionReport& repo
     sheets.back().name = name;
   }
   return sheets;
+}
+
+std::unique_ptr<Figure> eventMap(const project::EventList& list, const Style& style) {
+  auto figure = std::make_unique<Figure>("events", style);
+  std::vector<EventMark> marks;
+  double first = std::numeric_limits<double>::infinity(), last = -first;
+  for (const auto& event : list.events) {
+    marks.push_back({event.kind, event.position, event.peak});
+    first = std::min(first, event.position), last = std::max(last, event.position);
+  }
+  if (marks.empty()) first = last = 0, addNotice(*figure, "no events");
+  const bool isShort = last - first < shortTrack;
+  const double factor = isShort ? 1.0 : 1e-3;
+  const double room = std::max(1.0, 0.02 * (last - first));  // [m] beside the outermost marks
+  figure->xAxis->setLabel(isShort ? "Place along the track [m]" : "Place along the track [km]");
+  figure->xAxis->setRange(factor * (first - room), factor * (last + room));
+  figure->yAxis->setLabel("Largest acceleration [m/s²]");
+  addEventMarks(*figure, marks, factor);
+  fitValues(*figure);
+  keepZeroInSight(*figure);
+  return figure;
 }
 
 FigureSheet eventFigure(const CombinedEvent& event, const Style& style) {

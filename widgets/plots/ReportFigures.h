@@ -37,7 +37,20 @@ class ReportFigures : public QObject, public QTextObjectInterface {
   std::vector<std::unique_ptr<Figure>> figures_;
 };
 
-// The plots of the report's figures, overlaid signals in them; none where no run is shown. Throws as reportPdf.
-std::vector<std::unique_ptr<Figure>> reportPlots(const project::Report& report, const ReportOptions& options);
+struct ReportPlots {
+  std::unique_ptr<Figure> first;                 // what the report opens with; null: there is nothing to draw
+  std::vector<std::unique_ptr<Figure>> further;  // of the run that is shown
+  bool opensWithEvents = false;                  // the first one is the map of events
+};
+
+// The figures that were asked for, overlaid signals in them: acceleration against position first, where it is among
+// them. Where no run is shown, the first signal with an acceleration and positions; without signals, the events along
+// the track. Throws as reportPdf.
+ReportPlots reportPlots(const project::Report& report, const ReportOptions& options);
+
+// Signal and scalogram over the squat that is event number `event` of the list; none where its signal is in no file.
+// Throws FileError, CaseError and SignalError for a file that cannot be read.
+std::vector<std::unique_ptr<Figure>> squatPlots(const project::Report& report, std::size_t event,
+                                                const ReportOptions& options);
 
 }  // namespace squat::plots

@@ -2,21 +2,17 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
-#include <QGuiApplication>
+#include <QDate>
+#include <QLocale>
 #include <QPdfWriter>
-#include <QScreen>
-#include <QTextCursor>
-#include <QTextDocument>
-#include <QTextFrame>
-#include <QTextTable>
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
-#include "core/ProgramVersion.h"
+#include "plots/DetectionFigures.h"
 #include "plots/Drawing.h"
 #include "plots/FigureRegistry.h"
 #include "plots/ReportFigures.h"
+#include "plots/ReportLayout.h"
+#include "plots/ReportWriter.h"
 #include "scene/ModelPicture.h"
 
 namespace squat::plots {
@@ -25,161 +21,128 @@ namespace {
 constexpr int resolution = 1200;  // [dpi] of coordinates; curves and text are vectors
 constexpr double sideMargin = 19,
                  verticalMargin = 18;  // [mm]: two figures of a journal column stand side by side on A4
-constexpr double padding = 0.7;        // [mm] of the cells of tables
-constexpr double textSize = 9, tableSize = 7, footerSize = 7;  // [pt]
+constexpr double footerSize = 7;       // [pt]
+constexpr qsizetype shortNotes = 400;  // letters: longer ones would push the picture off the first page
 
-double millimetres(double dots) { return dots / resolution * 25.4; }
 double dots(double millimetres) { return millimetres / 25.4 * resolution; }
 
-// Margins, padding and pictures of a text document count in dots of the screen, and are scaled to the page by Qt.
-double screenDots(double millimetres) {
-  return millimetres / 25.4 * QGuiApplication::primaryScreen()->logicalDotsPerInchY();
-}
+// A report as it is written into the document.
+struct Pages {
+  ReportWriter& writer;
+  ReportFigures& figures;
+  const project::Report& report;
+  const ReportOptions& options;
+  std::vector<std::string>& problems;
 
-QTextCharFormat letters(double points, bool bold = false) {
-  QTextCharFormat format;
-  format.setFontPointSize(points);
-  format.setFontWeight(bold ? QFont::Bold : QFont::Normal);
-  return format;
-}
-
-QTextBlockFormat paragraph(double above, double below) {
-  QTextBlockFormat format;
-  format.setTopMargin(screenDots(above));
-  format.setBottomMargin(screenDots(below));
-
-  return format;
-}
-
-class Writer {
- public:
-  explicit Writer(QTextDocument& document) : cursor_(&document) {}
-
-  QTextCursor& cursor() { return cursor_; }
-
-  void add(const QString& text, const QTextBlockFormat& block, const QTextCharFormat& format) {
-    if (!empty_) cursor_.insertBlock();
-    empty_ = false;
-    cursor_.setBlockFormat(block);
-    cursor_.setCharFormat(format);
-    cursor_.insertText(text, format);
+  void figure(std::unique_ptr<Figure> plot) {
+    if (!plot) return;
+    writer.room();
+    figures.insert(writer.cursor(), std::move(plot));
   }
-  void heading(const QString& text, QTextFormat::PageBreakFlags breaks = QTextFormat::PageBreak_Auto) {
-    QTextBlockFormat block = paragraph(5, 2);
-    block.setPageBreakPolicy(breaks);
-    add(text, block, letters(textSize + 2, true));
-  }
-
-  void notes(const QString& text) {
-    heading(QStringLiteral("Notes"));
-    for (const QString& part : text.split(QStringLiteral("\n\n"), Qt::SkipEmptyParts))
-      add(part.trimmed(), paragraph(0, 2), letters(textSize));
-  }
-
-  void table(const project::ReportTable& table, QTextFormat::PageBreakFlags breaks = QTextFormat::PageBreak_Auto) {
-    heading(QString::fromStdString(table.heading), breaks);
-    QTextTableFormat format;
-    format.setHeaderRowCount(1);
-    format.setBorder(0);
-    format.setCellPadding(screenDots(padding));
-    format.setCellSpacing(0);
-    format.setWidth(QTextLength(QTextLength::PercentageLength, 100));
-    const int columns = static_cast<int>(table.columns.size());
-    QTextTable* made = cursor_.insertTable(static_cast<int>(table.rows.size()) + 1, columns, format);
-    for (int column = 0; column < columns; ++column)
-      fill(made->cellAt(0, column), table.columns[static_cast<std::size_t>(column)], true, false);
-    for (int row = 0; row < static_cast<int>(table.rows.size()); ++row)
-      for (int column = 0; column < columns; ++column)
-        fill(made->cellAt(row + 1, column), table.rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)],
-             false, row % 2 == 1);
-    cursor_.movePosition(QTextCursor::End);
-    empty_ = true;  // the block behind a table
-  }
-
- private:
-  // Every second row on grey: an eye finds its way without lines.
-  static void fill(QTextTableCell cell, const std::string& text, bool head, bool grey) {
-    QTextTableCellFormat format;
-    if (head || grey) format.setBackground(head ? QColor(215, 215, 215) : QColor(244, 244, 244));
-    cell.setFormat(format);
-    // A path or a list of numbers may be broken behind a slash or a comma.
-    QString shown = QString::fromStdString(text);
-    if (shown.size() > 30) shown.replace('/', QStringLiteral("/\u200b"));
-    cell.firstCursorPosition().insertText(shown, letters(tableSize, head));
-  }
-
-  QTextCursor cursor_;
-  bool empty_ = true;  // nothing is in the block of the cursor yet
 };
 
-void addModel(Writer& writer, const results::RunResult& shown, const ReportOptions& options,
-              std::vector<std::string>& problems) {
-  const auto& names = options.figures;
+// The 3-D picture, where it was asked for and the run has a surface; else null.
+const FigureRow* modelRow(const Pages& pages, const results::RunResult& shown) {
+  const auto& names = pages.options.figures;
   for (const auto& row : figureRegistry()) {
     const bool asked = names.empty() || std::find(names.begin(), names.end(), row.name) != names.end();
-    if (row.kind != FigureKind::model || !asked || !row.applies(shown)) continue;
-    std::string reason;
-    const auto picture = scene::modelPicture(shown, options.colourMap, reason);
-    if (picture.empty()) {
-      problems.push_back("figure " + row.name + " not drawn: " + reason);
-      continue;
-    }
-    const QImage image(picture.rgb.data(), picture.width, picture.height, 3 * picture.width, QImage::Format_RGB888);
-    QTextImageFormat format;
-    const QString name = QString::fromStdString(row.name);
-    writer.cursor().document()->addResource(QTextDocument::ImageResource, QUrl(name), image.copy());
-    format.setName(name);
-    format.setWidth(screenDots(170));
-    format.setHeight(screenDots(170) * picture.height / picture.width);
-    writer.add({}, paragraph(2, 2), letters(textSize));
-    writer.cursor().insertImage(format);
+    if (row.kind == FigureKind::model && asked && row.applies(shown)) return &row;
   }
+  return nullptr;
+}
+
+void addModel(Pages& pages, const results::RunResult& shown, const std::string& name) {
+  constexpr double width = 170;  // [mm]
+  std::string reason;
+  const auto picture = scene::modelPicture(shown, pages.options.colourMap, reason);
+  if (picture.empty()) return pages.problems.push_back("figure " + name + " not drawn: " + reason);
+  const QImage image(picture.rgb.data(), picture.width, picture.height, 3 * picture.width, QImage::Format_RGB888);
+  pages.writer.picture(QString::fromStdString(name), image.copy(), width);
+}
+
+void addTitle(Pages& pages) {
+  pages.writer.heading(QString::fromStdString(pages.report.title), HeadingLevel::title);
+  const QString date = pages.report.date.empty()
+                           ? QLocale::c().toString(QDate::currentDate(), QStringLiteral("d MMMM yyyy"))
+                           : QString::fromStdString(pages.report.date);
+  pages.writer.smallPrint(date + QStringLiteral(" · ") + drawnBy());
+}
+
+// Short notes stand under the title, long ones behind what they comment on.
+void addOpening(Pages& pages, const project::ReportContent& content, std::unique_ptr<Figure> first) {
+  const QString notes = QString::fromStdString(pages.report.notes).trimmed();
+  const bool isShort = notes.size() <= shortNotes;
+  addTitle(pages);
+  if (isShort) pages.writer.paragraphs(notes);
+  pages.figure(std::move(first));
+  for (const auto& sentence : content.sentences) pages.writer.paragraph(QString::fromStdString(sentence));
+  if (!isShort) {
+    pages.writer.heading(QStringLiteral("Notes"));
+    pages.writer.paragraphs(notes);
+  }
+  for (const auto& table : content.body) pages.writer.table(table);
+}
+
+void addSquats(Pages& pages, const project::ReportContent& content, bool withMap) {
+  const auto& report = pages.report;
+  project::ReportTable list = content.squatList;
+  if (!list.rows.empty()) {
+    pages.writer.heading(QString::fromStdString(list.heading));
+    list.heading.clear();
+    if (withMap) {
+      auto map = eventMap(report.events, lightStyle());
+      map->setPrintedSize({170, 60});
+      pages.figure(std::move(map));
+    }
+    pages.writer.table(list);
+  }
+  std::size_t missing = 0;
+  for (const auto& squat : content.squats) {
+    pages.writer.heading(QString::fromStdString(squat.heading), HeadingLevel::part, true);
+    std::vector<std::unique_ptr<Figure>> plots;
+    try {
+      plots = squatPlots(report, squat.event, pages.options);
+    } catch (const std::exception& error) {
+      pages.problems.push_back(squat.heading + ": " + error.what());
+    }
+    if (plots.empty()) {
+      ++missing;
+      pages.writer.smallPrint(QStringLiteral("The signal over this squat is in no file that can be read."));
+    }
+    for (auto& plot : plots) pages.figure(std::move(plot));
+    pages.writer.table(squat.facts);
+  }
+  if (missing > 0)
+    pages.problems.push_back("no signals over " + std::to_string(missing) + " of " +
+                             std::to_string(content.squats.size()) + " squats in " + report.eventFolder + "/passages");
+}
+
+void addAppendix(Pages& pages, const project::ReportContent& content, std::vector<std::unique_ptr<Figure>> plots) {
+  if (content.appendix.empty() && plots.empty()) return;
+  // The page of a squat is the squat's.
+  pages.writer.heading(QStringLiteral("Appendix"), HeadingLevel::part, !content.squats.empty());
+  if (pages.report.shown >= 0) {
+    const auto& shown = pages.report.signals[static_cast<std::size_t>(pages.report.shown)];
+    const auto* model = modelRow(pages, *shown.result);
+    if (!plots.empty() || model) pages.writer.heading("Figures of " + QString::fromStdString(shown.name));
+    if (!plots.empty()) pages.writer.room();
+    for (auto& plot : plots) pages.figures.insert(pages.writer.cursor(), std::move(plot));
+    if (model) addModel(pages, *shown.result, model->name);
+  }
+  for (const auto& table : content.appendix) pages.writer.table(table);
 }
 
 void fillDocument(QTextDocument& document, ReportFigures& figures, const project::Report& report,
                   const ReportOptions& options, std::vector<std::string>& problems) {
   auto plots = reportPlots(report, options);
-  Writer writer(document);
+  const auto content = project::reportContent(report, problems);
+  ReportWriter writer(document);
+  Pages pages{writer, figures, report, options, problems};
   writer.cursor().beginEditBlock();  // laid out once, at the end
-  writer.add(QString::fromStdString(report.title), paragraph(0, 3), letters(textSize + 7, true));
-  if (!report.notes.empty()) writer.notes(QString::fromStdString(report.notes));
-  auto tables = project::reportTables(report, problems);
-  // The case, which is long, stands behind the figures.
-  const bool hasCase = !tables.empty() && tables.back().heading.starts_with("Case of");
-  for (std::size_t i = 0; i + (hasCase ? 1 : 0) < tables.size(); ++i) writer.table(tables[i]);
-  if (report.shown >= 0) {
-    const auto& shown = report.signals[static_cast<std::size_t>(report.shown)];
-    writer.heading("Figures of " + QString::fromStdString(shown.name), QTextFormat::PageBreak_AlwaysBefore);
-    writer.add({}, paragraph(0, 0), letters(textSize));
-    for (auto& plot : plots) figures.insert(writer.cursor(), std::move(plot));
-    addModel(writer, *shown.result, options, problems);
-  }
-  if (hasCase) writer.table(tables.back(), QTextFormat::PageBreak_AlwaysBefore);
+  addOpening(pages, content, std::move(plots.first));
+  addSquats(pages, content, !plots.opensWithEvents);
+  addAppendix(pages, content, std::move(plots.further));
   writer.cursor().endEditBlock();
-}
-
-// A row that a page would end in begins on the next one: half a sentence beside a number says nothing.
-void keepRowsWhole(QTextDocument& document, double pageHeight) {
-  const auto* layout = document.documentLayout();
-  for (QTextFrame* frame : document.rootFrame()->childFrames()) {
-    const auto* table = qobject_cast<QTextTable*>(frame);
-    for (int row = 1; table && row < table->rows(); ++row) {
-      double top = std::numeric_limits<double>::infinity(), bottom = 0;
-      for (int column = 0; column < table->columns(); ++column) {
-        const QTextTableCell cell = table->cellAt(row, column);
-        top = std::min(top, layout->blockBoundingRect(cell.firstCursorPosition().block()).top());
-        bottom = std::max(bottom, layout->blockBoundingRect(cell.lastCursorPosition().block()).bottom());
-      }
-      const double end = (std::floor(top / pageHeight) + 1) * pageHeight;
-      if (bottom <= end) continue;
-      for (int column = 0; column < table->columns(); ++column) {
-        QTextTableCell cell = table->cellAt(row, column);
-        QTextTableCellFormat format = cell.format().toTableCellFormat();
-        format.setTopPadding(screenDots(millimetres(end - top)) + screenDots(padding));
-        cell.setFormat(format);
-      }
-    }
-  }
 }
 
 void drawPages(QPdfWriter& pdf, QTextDocument& document, ReportFigures& figures, const QSizeF& text,
@@ -224,14 +187,14 @@ QByteArray reportPdf(const project::Report& report, const ReportOptions& options
   document.documentLayout()->setPaintDevice(&pdf);
   document.setDocumentMargin(0);
   QFont font = lightStyle().labelFont();
-  font.setPointSizeF(textSize);
+  font.setPointSizeF(reportTextSize);
   font.setStyleStrategy(QFont::PreferNoShaping);  // no ligatures: a search for "filtered" finds it
   document.setDefaultFont(font);
   const QSizeF whole = page.size(QPageSize::Millimeter);
   const QSizeF text(dots(whole.width() - 2 * sideMargin), dots(whole.height() - 2 * verticalMargin));
   document.setPageSize(text);
   fillDocument(document, figures, report, options, problems);
-  keepRowsWhole(document, text.height());
+  arrangePages(document, resolution);
   drawPages(pdf, document, figures, text, title);
   return bytes;
 }

@@ -17,10 +17,11 @@ struct ReportOptions {
   std::string colourMap = "viridis";  // or "cividis", "jet"
 };
 
-// Title, notes, tables and the figures of the run that is shown, at their printed size, with the overlaid signals in
-// them. Text stays text, fonts are embedded; each page has a number and the version of the program. `problems` gets a
-// sentence for what could not be computed or drawn. Call ensureApplication() before. Throws CaseError for unknown names
-// and for figures that the run has nothing for.
+// Title, date and version; a picture; a sentence a run; notes, summary and changed inputs; squats, a page each with the
+// signal over it; an appendix with the other figures of the run that is shown, at their printed size, and all numbers
+// and keys. Short notes stand under the title. Text stays text, fonts are embedded; each page has a number and the
+// version of the program. `problems` gets a sentence for what could not be computed or drawn. Call ensureApplication()
+// before. Throws CaseError for unknown names and for figures that the run has nothing for.
 QByteArray reportPdf(const project::Report& report, const ReportOptions& options, std::vector<std::string>& problems);
 
 }  // namespace squat::plots

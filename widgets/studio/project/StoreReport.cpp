@@ -20,7 +20,8 @@ project::ReportSignal signalOf(const StoredRun& run) {
 
 project::Report reportOf(const RunStore& store, const ResultPointer& shown, const QString& title,
                          const QString& notes) {
-  project::Report report{title.toStdString(), notes.toStdString(), {}, -1, -1};
+  project::Report report;
+  report.title = title.toStdString(), report.notes = notes.toStdString();
   for (int row = 0; row < store.rowCount(); ++row) {
     const StoredRun& run = store.at(row);
     const bool current = row == store.current(), reference = row == store.reference();

@@ -8,7 +8,8 @@
 
 namespace squat::studio {
 
-// `shown`: the current run with its fields. The reference of the comparison is in it, drawn or not.
+// `shown`: the current run with its fields; null: there is none. The reference of the comparison is in it, drawn or
+// not.
 project::Report reportOf(const RunStore& store, const ResultPointer& shown, const QString& title, const QString& notes);
 
 }  // namespace squat::studio
