@@ -346,7 +346,7 @@ void MainWindow::enableActions() {
   enable("saveResult", result);
   for (const char* name : {"modelPicture", "vtkSeries"}) enable(name, result && !reading);
   for (const char* name : {"copyFigure", "exportFigure"}) enable(name, figures);
-  enable("report", result);
+  enable("report", result || !longRecords().events.empty());
   enable("exportAll", figures && !reading);
 }
 

@@ -92,6 +92,7 @@ void MainWindow::makeProject() {
 void MainWindow::keepRecords() {
   recordWatch_->follow(longRecords().files);
   keeper_->saveSoon();
+  enableActions();  // a report may have events now
 }
 
 void MainWindow::makeProjectActions(QMenu& menu) {
@@ -380,14 +381,17 @@ QString MainWindow::reportTitle() const {
 }
 
 bool MainWindow::saveReportTo(const QString& path) {
-  if (store_.current() < 0) return false;
+  const bool hasRun = store_.current() >= 0;
+  const auto records = longRecords();
+  if (!hasRun && records.events.empty()) return false;
   const bool letter = QLocale().measurementSystem() == QLocale::ImperialUSSystem;
   QGuiApplication::setOverrideCursor(Qt::WaitCursor);
   std::vector<std::string> problems;
   QString failure;
   try {
-    const auto shown = reader_->wholeResult(store_.current());
-    const auto report = reportOf(store_, shown, reportTitle(), notes_->toPlainText());
+    const auto shown = hasRun ? reader_->wholeResult(store_.current()) : ResultPointer();
+    auto report = reportOf(store_, shown, reportTitle(), notes_->toPlainText());
+    project::addEvents(records, report, problems);
     const auto page = letter ? plots::PageFormat::letter : plots::PageFormat::a4;
     plots::writeWhole(plots::reportPdf(report, {page, {}, signals_->colourMap()}, problems), path.toStdString());
   } catch (const std::exception& error) {  // the cursor must not stay a clock
