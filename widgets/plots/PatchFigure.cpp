@@ -162,7 +162,9 @@ std::vector<Panel> addPanels(Figure& figure, const results::PatchSnapshot* patch
   std::vector<Panel> panels{{figure.axisRect(), patch}};
   if (bothSides) panels.push_back({figure.addAxesBeside(), patch ? patch->right.get() : nullptr});
   for (const Panel& panel : panels) {
-    panel.axes->axis(QCPAxis::atBottom)->setLabel("Along the rail, relative to the wheel centre [mm]");
+    panel.axes->axis(QCPAxis::atBottom)
+        ->setLabel(bothSides ? "Along the rail, from the wheel [mm]"
+                             : "Along the rail, relative to the wheel centre [mm]");
     panel.axes->axis(QCPAxis::atLeft)->setLabel(bothSides ? "Across the rail, outwards [mm]" : "Across the rail [mm]");
   }
   if (!bothSides) return panels;

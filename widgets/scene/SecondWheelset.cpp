@@ -2,7 +2,6 @@
 
 #include <vtkProperty.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "case/Resolve.h"
@@ -31,8 +30,7 @@ std::vector<vtkSmartPointer<vtkActor>> secondWheelsetActors(const results::RunRe
 }
 
 double reachOfBoth(double reach, double secondFrom) {
-  constexpr double radius = 0.45;  // [m] of the wheel, about
-  return secondFrom == 0 ? reach : std::max(reach, 0.45 * std::abs(secondFrom) + radius);
+  return reach + 0.4 * std::abs(secondFrom);  // half of it, as long as a view at an angle shows it
 }
 
 }  // namespace squat::scene

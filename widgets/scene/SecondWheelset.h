@@ -22,8 +22,8 @@ double secondWheelsetFrom(const results::RunResult& result);
 std::vector<vtkSmartPointer<vtkActor>> secondWheelsetActors(const results::RunResult& result,
                                                             const results::SurfaceSnapshot* snapshot, const Look& look);
 
-// How much a view of both wheelsets sees [m], from its middle half-way between them to its upper edge: the larger one
-// of `reach`, that of a view of the first one alone, and what a picture that is nearly as wide as high needs.
+// How much a view of both wheelsets sees [m], from its middle half-way between them to its upper edge, where a view of
+// the first one alone sees `reach`: enough for a picture that is nearly as wide as high.
 double reachOfBoth(double reach, double secondFrom);
 
 }  // namespace squat::scene
