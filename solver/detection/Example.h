@@ -18,6 +18,8 @@ struct SquatForm {
   double waveLength = 0, waveDepth = 0, waveCount = 0;  // [m], [m], [-]
 };
 
+inline constexpr double leastWeight = 1e-9;  // of an example
+
 // One passage without noise, computed by the solver or labelled by the user.
 struct Example {
   Kind kind = Kind::squat;

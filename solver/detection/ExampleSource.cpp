@@ -21,7 +21,6 @@ namespace {
 constexpr double kOwnSpread = 0.12, kOwnCommonSpread = 0.05, kOwnSizeSpread = 0.2;
 constexpr double kLabelWeight = 5;
 
-std::string sideExamples() { return (cases::resourcesFolder() / "detection/side-examples.csv").string(); }
 std::string generalExamples() { return (cases::resourcesFolder() / "detection/examples.csv").string(); }
 
 // Median speed of the records' events, or 0: what examples are computed at.
@@ -173,10 +172,14 @@ std::optional<ExampleSource> exampleSource(const SourceOptions& options, std::ve
                        : options.examplesFile;
   }
   source.sizes = SizeModel(source.examples);
-  if (std::any_of(records.begin(), records.end(), [](const auto& record) { return !record.axles.empty(); }))
-    source.sides = AxleSides(readExamples(sideExamples()));
   if (isOfOneVehicle(source.examples)) source.own = source.examples;
-  if (!source.sizes.isKnown()) source.sizes = SizeModel(readExamples(generalExamples()));
+  const bool hasAxles =
+      std::any_of(records.begin(), records.end(), [](const auto& record) { return !record.axles.empty(); });
+  if (hasAxles || !source.sizes.isKnown()) {
+    const auto general = readExamples(generalExamples());
+    if (hasAxles) source.sides = AxleSides(general);
+    if (!source.sizes.isKnown()) source.sizes = SizeModel(general);
+  }
   std::vector<Example> earlier;
   const bool mayBeNew = !options.labelsFile.empty();
   if (!options.learnedFile.empty() && (!mayBeNew || std::filesystem::exists(options.learnedFile)))

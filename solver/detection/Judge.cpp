@@ -186,8 +186,8 @@ Judge::Judge(std::vector<Example> examples, JudgementOptions options, SizeModel 
     const auto& row = count[groupOf(examples_[i], options_.limits)];
     const auto withGroup = std::count_if(row.begin(), row.end(), [](std::size_t n) { return n > 0; });
     const double share = examples_[i].kind == Kind::squat ? 1.0 / 3 : 1.0;  // of the kind
-    prior_.push_back(std::log(share * std::max(examples_[i].weight, 1e-9)) - std::log(static_cast<double>(withGroup)) -
-                     std::log(static_cast<double>(row[vehicleOf_[i]])));
+    prior_.push_back(std::log(share * std::max(examples_[i].weight, leastWeight)) -
+                     std::log(static_cast<double>(withGroup)) - std::log(static_cast<double>(row[vehicleOf_[i]])));
   }
 }
 

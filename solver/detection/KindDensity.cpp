@@ -9,8 +9,6 @@
 namespace squat::detection {
 namespace {
 
-constexpr double minimumWeight = 1e-9;
-
 std::vector<const PathSpectrum*> pointersTo(const std::vector<PathSpectrum>& paths) {
   std::vector<const PathSpectrum*> pointers;
   for (const auto& path : paths) pointers.push_back(&path);
@@ -71,11 +69,11 @@ double KindDensity::ofExamples(Kind kind, const EventFeatures& event, const Vehi
   for (const auto& passage : found->second) {
     const BandValues expected = passage.isFreed ? passage.energies : BandValues(passage.energies - vehicle.mean);
     const double apart = std::log(event.speed / passage.speed) / speedSpread;
-    logs.push_back(std::log(std::max(passage.weight, minimumWeight)) - 0.5 * apart * apart +
+    logs.push_back(std::log(std::max(passage.weight, leastWeight)) - 0.5 * apart * apart +
                    logDensityOf(matchOf(event, expected, vehicle, scatter)));
     weights += passage.weight * std::exp(-0.5 * apart * apart);
   }
-  return logSum(logs) - std::log(std::max(weights, minimumWeight));
+  return logSum(logs) - std::log(std::max(weights, leastWeight));
 }
 
 double KindDensity::ofPaths(const ExpectedBySpeed& paths, const EventFeatures& event, const Vehicle& vehicle) const {

@@ -25,15 +25,16 @@ std::vector<SquatForm> possibleForms(const Example& example) {
 struct Table {
   std::vector<std::string> vehicles;
   std::vector<Eigen::Index> vehicle;  // of each row
-  Eigen::VectorXd speed;              // of each vehicle, mean of the logarithm by usualSpeed
+  Eigen::VectorXd speed, counts;      // of each vehicle, means: of the logarithm by usualSpeed, of the weight
+  Eigen::VectorXd weight;             // of each row
   Eigen::MatrixXd path, measured;     // a row for each squat
 };
 
 Table tableOf(const std::vector<Example>& examples) {
   Table table;
   const auto count = std::count_if(examples.begin(), examples.end(), hasSize);
-  table.path.resize(count, eigenBands), table.measured.resize(count, eigenBands);
-  std::vector<double> speeds, squats;
+  table.path.resize(count, eigenBands), table.measured.resize(count, eigenBands), table.weight.resize(count);
+  std::vector<double> speeds, weights, squats;
   Eigen::Index row = 0;
   for (const auto& example : examples) {
     if (!hasSize(example)) continue;
@@ -41,17 +42,30 @@ Table tableOf(const std::vector<Example>& examples) {
     const auto vehicle = static_cast<std::size_t>(found - table.vehicles.begin());
     if (found == table.vehicles.end()) {
       table.vehicles.push_back(example.vehicle);
-      speeds.push_back(0), squats.push_back(0);
+      speeds.push_back(0), weights.push_back(0), squats.push_back(0);
     }
-    speeds[vehicle] += std::log(example.speed / usualSpeed), squats[vehicle] += 1;
+    const double weight = std::max(example.weight, leastWeight);
+    speeds[vehicle] += std::log(example.speed / usualSpeed), weights[vehicle] += weight, squats[vehicle] += 1;
+    table.weight[row] = weight;
     table.vehicle.push_back(static_cast<Eigen::Index>(vehicle));
     table.path.row(row) = pathEnergies(example);
     table.measured.row(row) = measuredEnergies(example);
     ++row;
   }
-  table.speed.resize(static_cast<Eigen::Index>(speeds.size()));
-  for (std::size_t v = 0; v < speeds.size(); ++v) table.speed[static_cast<Eigen::Index>(v)] = speeds[v] / squats[v];
+  const auto vehicles = static_cast<Eigen::Index>(speeds.size());
+  table.speed.resize(vehicles), table.counts.resize(vehicles);
+  for (std::size_t v = 0; v < speeds.size(); ++v) {
+    const auto at = static_cast<Eigen::Index>(v);
+    table.speed[at] = speeds[v] / squats[v], table.counts[at] = weights[v] / squats[v];
+  }
   return table;
+}
+
+// Weighted mean of the products of what a fit of so many numbers has left, for the rows that the numbers leave free.
+BandMatrix covariance(const Eigen::MatrixXd& left, const Eigen::VectorXd& weight, Eigen::Index fitted) {
+  const double rows = static_cast<double>(left.rows());
+  const double free = static_cast<double>(std::max<Eigen::Index>(1, left.rows() - fitted)) / rows;
+  return left.transpose() * weight.asDiagonal() * left / (weight.sum() * free);
 }
 
 }  // namespace
@@ -102,24 +116,26 @@ SizeModel::SizeModel(const std::vector<Example>& examples) {
     Eigen::MatrixXd x = Eigen::MatrixXd::Zero(rows, inputs + vehicles);
     x.leftCols(inputs) = table.path.middleCols(first, inputs);
     for (Eigen::Index i = 0; i < rows; ++i) x(i, inputs + table.vehicle[static_cast<std::size_t>(i)]) = 1;
-    Eigen::MatrixXd normal = x.transpose() * x;
+    const Eigen::MatrixXd weighted = table.weight.asDiagonal() * x;
+    Eigen::MatrixXd normal = weighted.transpose() * x;
     normal.diagonal().head(inputs).array() += ridge;
-    const Eigen::VectorXd weights =
-        algebra::solveSymmetric(normal, Eigen::VectorXd(x.transpose() * table.measured.col(b)));
-    slopes_.block(b, first, 1, inputs) = weights.head(inputs).transpose();
-    offsets.col(b) = weights.tail(vehicles);
-    left.col(b) = table.measured.col(b) - x * weights;
+    const Eigen::VectorXd fitted =
+        algebra::solveSymmetric(normal, Eigen::VectorXd(weighted.transpose() * table.measured.col(b)));
+    slopes_.block(b, first, 1, inputs) = fitted.head(inputs).transpose();
+    offsets.col(b) = fitted.tail(vehicles);
+    left.col(b) = table.measured.col(b) - x * fitted;
   }
   // Three slopes a band and an offset a vehicle are fitted.
-  betweenPassages_ = left.transpose() * left / static_cast<double>(std::max<Eigen::Index>(1, rows - vehicles - 3));
+  betweenPassages_ = covariance(left, table.weight, vehicles + 3);
   Eigen::MatrixXd line(vehicles, 2);
   line.col(0).setOnes();
   line.col(1) = table.speed;
+  const Eigen::MatrixXd weighted = table.counts.asDiagonal() * line;
   const Eigen::MatrixXd fitted =
-      algebra::solveSymmetric(line.transpose() * line, Eigen::MatrixXd(line.transpose() * offsets));
+      algebra::solveSymmetric(weighted.transpose() * line, Eigen::MatrixXd(weighted.transpose() * offsets));
   mean_ = fitted.row(0).transpose(), trend_ = fitted.row(1).transpose();
   const Eigen::MatrixXd apart = offsets - line * fitted;
-  betweenVehicles_ = apart.transpose() * apart / static_cast<double>(vehicles - 2);
+  betweenVehicles_ = covariance(apart, table.counts, 2);
   betweenVehicles_.diagonal().array() += minimumVariance;
   for (Eigen::Index v = 0; v < vehicles; ++v)
     deviations_[table.vehicles[static_cast<std::size_t>(v)]] = apart.row(v).transpose();

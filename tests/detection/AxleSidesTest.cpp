@@ -98,7 +98,7 @@ TEST(AxleSides, AreNotKnownByFewExamples) {
 // Of the shipped examples, vehicle by vehicle, by those of the others; each as it is, and in noise that has a thirtieth
 // of the energy of the struck box. One in twenty may be taken for another side: ratios are not quite normal.
 TEST(AxleSides, OfVehiclesThatTheyHaveNotSeenAreRight) {
-  auto all = readExamples((cases::resourcesFolder() / "detection/side-examples.csv").string());
+  auto all = readExamples((cases::resourcesFolder() / "detection/examples.csv").string());
   std::erase_if(all, [](const Example& example) { return !example.arrival; });
   std::set<std::string> vehicles;
   for (const auto& example : all) vehicles.insert(example.vehicle);

@@ -168,9 +168,9 @@ TEST(ReportSummary, hasTitlesInWords) {
   EXPECT_THAT(*depth, ElementsAre("Depth [mm]", "0.2", "0.4"));
   const auto* line = rowNamed(summary, "Line 1 of the spectrum [Hz]");
   ASSERT_TRUE(line);
-  // The largest value near 300 Hz of the closed form's transform under a Hann window from 100 mm before to 280 mm behind
-  // lies at 291.9 Hz (computed once, without this code): the decay and the line at 1 kHz move it. Between samples of the
-  // spectrum it is found by a parabola.
+  // The largest value near 300 Hz of the closed form's transform under a Hann window from 100 mm before to 280 mm
+  // behind lies at 291.9 Hz (computed once, without this code): the decay and the line at 1 kHz move it. Between
+  // samples of the spectrum it is found by a parabola.
   EXPECT_NEAR(std::stod((*line)[1]), 291.9, 1);
   const auto* ratio = rowNamed(summary, "Largest acceleration by that of shallow");
   ASSERT_TRUE(ratio);
