@@ -323,11 +323,12 @@ void checkDefect(const Case& c, std::vector<Finding>& findings) {
   const std::string found = " (its maximum slope is " + rounded(surface.steepest()) +
                             (sampled ? steepestPlace(scenario::countedPoints(d.points, d)) : std::string()) + ")";
   if (surface.steepest() > steepestPossible)
-    add(findings, c, Severity::problem, {depthKey, "defect.length", "defect.ramp", "defect.file"}, "slopes up to 0.5",
+    add(findings, c, Severity::problem, {depthKey, "defect.length", "defect.ramp", "defect.file"},
+        "such that no slope is above 0.5",
         "The profile is too steep for the mesh" + found + ": make it longer or shallower");
   else if (surface.steepest() > steepestSensible)
-    add(findings, c, Severity::warning, {depthKey, "defect.length", "defect.ramp", "defect.file"}, "slopes up to 0.1",
-        "The mesh smooths steeper profiles" + found);
+    add(findings, c, Severity::warning, {depthKey, "defect.length", "defect.ramp", "defect.file"},
+        "such that no slope is above 0.1", "The mesh smooths steeper profiles" + found);
   if (c.rail.plastic && surface.depth() > c.rail.plasticDepth)
     add(findings, c, Severity::problem, {depthKey, "rail.plastic_depth", "defect.file"},
         "at most rail.plastic_depth = " + rounded(c.rail.plasticDepth * 1e3) + " mm",

@@ -113,7 +113,7 @@ class IrregularityChecks {
     const double steepest = irregularityOf(case_).steepest();
     constexpr double steepestPossible = 0.5;
     if (steepest > steepestPossible)
-      add(Severity::problem, {"rail.irregularity_points", "rail.irregularity_file"}, "slopes up to 0.5",
+      add(Severity::problem, {"rail.irregularity_points", "rail.irregularity_file"}, "such that no slope is above 0.5",
           "The heights are too steep (slope " + rounded(steepest) + "): check their unit");
     // Between two contact points of an element, finer heights would be skipped.
     const double spacing = (points.back().position - points.front().position) / static_cast<double>(points.size() - 1);

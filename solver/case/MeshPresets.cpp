@@ -54,7 +54,8 @@ std::string presetNote(const CaseDescription& description) {
                  " (default " + parameter.defaultText + " " + parameter.unit + ")";
   }
   if (shortened.empty()) return {};
-  return "mesh preset " + findParameter("mesh.preset")->choices[preset] + " shortens " + shortened +
+  return "mesh preset " + findParameter("mesh.preset")->choices[preset] +
+         " shortens track and run, which are then computed sooner: " + shortened +
          "; values stated in the case are kept";
 }
 

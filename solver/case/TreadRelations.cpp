@@ -46,10 +46,10 @@ void checkSteepness(const CaseDescription& c, const TreadDeviation& tread, const
   const std::string found = " (its maximum slope is " + rounded(tread.steepest()) + ")";
   const Keys keys{table, "wheelset.tread_deviation"};
   if (tread.steepest() > steepestPossible)
-    add(findings, c, Severity::problem, keys, "slopes up to 0.5",
+    add(findings, c, Severity::problem, keys, "such that no slope is above 0.5",
         "The deviation of the tread is too steep for the mesh" + found + ": smooth it, or check its unit");
   else if (tread.steepest() > steepestSensible)
-    add(findings, c, Severity::warning, keys, "slopes up to 0.2",
+    add(findings, c, Severity::warning, keys, "such that no slope is above 0.2",
         "The mesh smooths steeper deviations of the tread" + found);
 }
 

@@ -202,7 +202,8 @@ TEST(Validation, BadInputSaysKeyValueAndLimit) {
       {{"defect.move_nodes", "true"}, {"mesh.contact_size", "1.3"}, {"defect.depth", "3"}, {"defect.length", "400"}},
       "defect.depth", "3 mm", "at most twice mesh.contact_size = 2.6 mm");
   // A cosine of 4 mm depth over 20 mm drops by pi times 4 / 20.
-  expectSaid({{"defect.depth", "4"}, {"defect.length", "20"}}, "defect.depth", "4 mm", "slopes up to 0.5");
+  expectSaid({{"defect.depth", "4"}, {"defect.length", "20"}}, "defect.depth", "4 mm",
+             "such that no slope is above 0.5");
   expectSaid({{"defect.shape", "profile"}, {"defect.points", "[[0, 0], [15, -0.1], [30, -0.2], [45, -0.1], [60, 0]]"}},
              "defect.points", "", "15 mm apart, more than an eighth of the dip");
   expectSaid({{"track.length", "3"},

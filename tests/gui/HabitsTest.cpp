@@ -99,8 +99,8 @@ TEST(Habits, everyButtonHasAKeyOrAMenuEntry) {
   std::set<QString> taken;
   for (const QAction* action : actions)
     for (const QKeySequence& keys : action->shortcuts()) taken.insert(keys.toString());
-  const QStringList inMenus{"Save…", "Measured…", "Picture…", "VTK…",   "Fit",    "Export all…",
-                            "Run",   "Resume",    "Pause",    "Cancel", "Compare"};
+  const QStringList inMenus{"Save…", "Overlay…", "Picture…", "VTK…",   "Fit",    "Export all…",
+                            "Run",   "Resume",   "Pause",    "Cancel", "Compare"};
   for (const QAbstractButton* button : window.findChildren<QAbstractButton*>()) {
     const bool action =
         (button->inherits("QPushButton") || button->inherits("QToolButton")) && button->text().size() > 2;

@@ -37,10 +37,11 @@ struct OverlaidRun {
 using analysis::FigureSettings;
 
 struct FigureRow {
-  std::string name;   // of the file and of the option: "contact_force"
-  std::string tab;    // a short heading
-  std::string title;  // in words, for help and tool tips
-  std::string needs;  // a sentence: what a result must hold
+  std::string name;        // of the file and of the option: "contact_force"
+  std::string tab;         // a short heading
+  std::string title;       // in words, for help and tool tips
+  std::string needs;       // a sentence: what a result must hold
+  std::string shows = {};  // a sentence: what one sees, where the title is a term of signal processing
   FigureKind kind = FigureKind::plot;
 
   // Whether the result holds what the figure shows.

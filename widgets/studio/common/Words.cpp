@@ -3,10 +3,14 @@
 #include <QRegularExpression>
 
 #include "case/CaseNames.h"
+#include "case/InputPresets.h"
 
 namespace squat::studio {
 
 QString parameterLabel(const std::string& key) {
+  // "Preset" below "Wheelset" or "Mesh" says little to who has not read the manual.
+  if (key == "mesh.preset") return QObject::tr("Fineness");
+  if (cases::isInputPreset(key)) return QObject::tr("Set of values");
   QString label = QString::fromStdString(cases::printedWords(key.substr(key.find('.') + 1)));
   if (!label.isEmpty()) label[0] = label[0].toUpper();
   return label;

@@ -147,6 +147,25 @@ bool RunTable::setData(const QModelIndex& index, const QVariant& value, int role
   return true;
 }
 
+QString RunTable::tipOf(Kind kind) {
+  switch (kind) {
+    case Kind::name:
+      return tr("What distinguishes the run from the others; F2 renames it");
+    case Kind::peak:
+      return tr("Largest absolute axle box acceleration, low-passed");
+    case Kind::lines:
+      return tr(
+          "Frequencies of the strongest lines (peaks) in the spectrum of the axle box acceleration, the strongest "
+          "first");
+    case Kind::time:
+      return tr("Time that the computation took");
+    case Kind::parameter:
+    case Kind::mesh:
+      break;
+  }
+  return {};
+}
+
 QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation == Qt::Vertical || section < 0 || section >= columnCount()) return {};
   const Column& column = columns_[static_cast<std::size_t>(section)];
@@ -155,6 +174,7 @@ QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role
   if (role == Qt::ToolTipRole && (column.kind == Kind::parameter || column.kind == Kind::mesh))
     return QString::fromStdString(key + ": " + parameter.doc);
   const bool isKey = column.kind == Kind::parameter || column.kind == Kind::mesh;
+  if (role == Qt::ToolTipRole) return tipOf(column.kind);
   if (role == GroupedRows::columnKeyRole || (role == columnNameRole && isKey))
     return isKey ? QString::fromStdString(key) : QString();
   if (role == columnNameRole)

@@ -35,6 +35,7 @@ class RunTable : public QAbstractTableModel {
     bool operator==(const Column&) const = default;
   };
   std::vector<Column> columnsNow() const;
+  static QString tipOf(Kind kind);  // of its heading; empty for keys, whose own words stand there
   QString text(const StoredRun& run, const Column& column) const;
   QVariant sorted(const StoredRun& run, const Column& column) const;
 

@@ -150,7 +150,7 @@ QWidget* RunsPanel::makeButtons() {
   };
   button(tr("Open…"), tr("Open a result"), &RunsPanel::openRequested);
   button(tr("Save…"), tr("Save the current result"), &RunsPanel::saveRequested);
-  button(tr("Measured…"), tr("Overlay a measured signal"), &RunsPanel::measuredRequested);
+  button(tr("Overlay…"), tr("Overlay measured signal"), &RunsPanel::measuredRequested);
   button(tr("Compare"), tr("Compare runs and measured signals in a table"), &RunsPanel::compareRequested);
   button(tr("Remove"), tr("Remove the selected run from the list"), [this] {
     if (const int row = rowOf(table_->currentIndex()); row >= 0) Q_EMIT removeRequested(row);

@@ -355,7 +355,8 @@ void SignalsPanel::hideWhatDoesNotApply() {
     const bool seen = applies(*row);
     tabs_->setTabVisible(index, seen);
     tabs_->setTabEnabled(index, seen);
-    tabs_->setTabToolTip(index++, QString::fromStdString(seen ? row->title : row->title + ".\n" + row->needs));
+    const std::string& more = seen ? row->shows : row->needs;
+    tabs_->setTabToolTip(index++, QString::fromStdString(more.empty() ? row->title : row->title + ".\n" + more));
   }
 }
 

@@ -98,13 +98,13 @@ void MainWindow::makeParts() {
   messages_ = new MessageBar(this);
   middle_ = new QTabWidget(centre);
   middle_->setDocumentMode(true);
-  middle_->setAccessibleName(tr("Profile, model, paper and notes"));
+  middle_->setAccessibleName(tr("Profile, model, summary and notes"));
   profile_ = new ProfileEditor(document_, style, middle_);
   scene_ = new ScenePanel(store_, dark, middle_);
   paper_ = new PaperPanel(store_, services_.comparison, middle_);
   middle_->addTab(profile_, tr("Profile"));
   middle_->addTab(scene_, tr("3-D"));
-  middle_->addTab(paper_, tr("Paper"));
+  middle_->addTab(paper_, tr("Summary"));
   notes_ = new NotesPanel(middle_);
   middle_->addTab(notes_, tr("Notes"));
   auto* layout = new QVBoxLayout(centre);

@@ -106,8 +106,8 @@ class MainWindow : public QMainWindow {
   void showTour();
   void offerTour();  // at the first start
   void setDark(bool dark);
-  // "profile", "model", "paper", "notes", "run", "runs", "preview", "comparison" (a window of its own), or one of the
-  // signals panel's; false for another name.
+  // "profile", "model", "paper" (the tab "Summary"), "notes", "run", "runs", "preview", "comparison" (a window of its
+  // own), or one of the signals panel's; false for another name.
   bool showTab(const QString& name);
   static QStringList tabNames();
 

@@ -54,7 +54,7 @@ QString tabTitle(const QString& name) {
   if (name == "model") return QObject::tr("3-D model");
   if (name == "preview") return QObject::tr("live preview");
   if (name == "comparison") return QObject::tr("comparison of runs");
-  if (name == "paper") return QObject::tr("comparison with the paper");
+  if (name == "paper") return QObject::tr("summary of the run");
   if (!SignalsPanel::names().contains(name)) return name;
   const QString title = QString::fromStdString(plots::figureRow(name.toStdString()).title);
   return title.left(1).toLower() + title.mid(1);
@@ -112,7 +112,7 @@ void MainWindow::makeFileMenu() {
                         [this] { saveRun(store_.current()); });
   QAction* measured = add(menu, tr("Overlay &measured signal…"), QKeySequence("Ctrl+M"), "measured", this, [this] {
     const QString path = QFileDialog::getOpenFileName(
-        this, tr("Overlay a measured signal"), QString(),
+        this, tr("Overlay measured signal"), QString(),
         tr("Signals (*.csv *.txt *.gz *.h5 *.mat *.tdms *.lvm *.wav *.unv *.uff);;All files (*)"));
     if (path.isEmpty()) return;
     const bool asks = needsChoice(headOf(path.toStdString(), {}));
@@ -157,7 +157,6 @@ void MainWindow::makeEditMenu() {
   menu->addAction(redo);
   menu->addSeparator();
   add(menu, tr("Restore r&un"), QKeySequence("Ctrl+Alt+Z"), "restoreRun", this, &MainWindow::restoreRun);
-  add(menu, tr("&Fit profile to view"), QKeySequence("Ctrl+0"), "fit", this, [this] { profile_->plot()->fit(); });
 }
 
 void MainWindow::makeRunMenu() {
@@ -222,6 +221,7 @@ void MainWindow::makeViewMenu() {
     menu->addAction(action);
   }
   menu->addSeparator();
+  add(menu, tr("&Fit profile to view"), QKeySequence("Ctrl+0"), "fit", this, [this] { profile_->plot()->fit(); });
   addPaneKeys(*this, [this] {
     std::vector<QWidget*> panes{middle_, right_, run_, runs_};
     if (!isNarrow_) panes.insert(panes.begin(), form_);

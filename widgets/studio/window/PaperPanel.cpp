@@ -25,7 +25,7 @@ PaperPanel::PaperPanel(RunStore& store, Comparison comparison, QWidget* parent)
   table_->horizontalHeader()->setSectionResizeMode(3, QHeaderView::ResizeToContents);
   table_->setAlternatingRowColors(true);
   table_->setWordWrap(true);
-  table_->setAccessibleName(tr("Comparison with the paper"));
+  table_->setAccessibleName(tr("Summary of the run, and what the paper states"));
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(title_);
   layout->addWidget(table_, 1);
@@ -38,7 +38,9 @@ void PaperPanel::update() {
   table_->setRowCount(0);
   table_->setVisible(result != nullptr && comparison_);
   if (!result || !comparison_) {
-    title_->setText(tr("Run a shipped case (File > Shipped cases) to compare it with the paper."));
+    title_->setText(
+        tr("Run the case (F5): what it gives stands here, beside what the paper states. Cases of the paper are in "
+           "File > Shipped cases."));
     return;
   }
   title_->setText(tr("%1 compared with Molodova et al. (2014)").arg(QString::fromStdString(result->stem)));
