@@ -4,6 +4,8 @@
 #include "plots/CaptionElement.h"
 #include "plots/LegendRows.h"
 
+#include <QMouseEvent>
+
 namespace squat::plots {
 
 Figure::Figure(const QString& name, const Style& style, QWidget* parent)
@@ -14,7 +16,9 @@ Figure::Figure(const QString& name, const Style& style, QWidget* parent)
   addLayer("front", layer("main"));
   layOut();
   styleAxes(*axisRect());
-  connect(this, &QCustomPlot::beforeReplot, this, [this] { fitLegend(*legend, viewport().width()); });
+  takeClicks();
+  connect(this, &QCustomPlot::beforeReplot, this,
+          [this] { fitLegend(*legend, viewport().width(), style_.background); });
 }
 
 QSize Figure::printedUnits() const {
@@ -96,7 +100,7 @@ QCPAxisRect* Figure::addAxesBeside() {
 void Figure::settleLayout(QSize units) {
   const QRect before = viewport();
   setViewport(QRect(QPoint(0, 0), units));
-  fitLegend(*legend, units.width());
+  fitLegend(*legend, units.width(), style_.background);
   for (int pass = 0; pass < 3; ++pass) updateLayout();
   setViewport(before);
 }
@@ -108,6 +112,52 @@ void Figure::showLegend(bool visible) {
   if (visible && !plotLayout()->hasElement(1, 0)) plotLayout()->addElement(1, 0, legend);
   if (!visible && plotLayout()->hasElement(1, 0)) plotLayout()->take(legend);
   legend->setVisible(visible);
+}
+
+// Two fast clicks are a click and a double-click: there and back.
+void Figure::takeClicks() {
+  const auto toggle = [this](QCPLegend*, QCPAbstractLegendItem*, QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) toggleCurve(legendEntryAt(event->pos()));
+  };
+  connect(this, &QCustomPlot::legendClick, this, toggle);
+  connect(this, &QCustomPlot::legendDoubleClick, this, toggle);
+  connect(this, &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
+    const bool on = legendEntryAt(event->pos()) >= 0;
+    if (on) setCursor(Qt::PointingHandCursor);
+    if (!on && onLegend_) unsetCursor();
+    onLegend_ = on;
+  });
+}
+
+int Figure::legendEntryAt(const QPoint& place) const {
+  if (!legend->visible()) return -1;
+  for (int i = 0; i < legend->itemCount(); ++i)
+    if (curveOfEntry(i) && legend->item(i)->rect().contains(place)) return i;
+  return -1;
+}
+
+QCPAbstractPlottable* Figure::curveOfEntry(int entry) const {
+  if (entry < 0 || entry >= legend->itemCount()) return nullptr;
+  auto* item = qobject_cast<QCPPlottableLegendItem*>(legend->item(entry));
+  return item ? item->plottable() : nullptr;
+}
+
+bool Figure::toggleCurve(int entry) {
+  QCPAbstractPlottable* curve = curveOfEntry(entry);
+  if (!curve || !legend->visible()) return false;
+  setCurveVisible(*curve, !curve->visible());
+  replot(rpQueuedReplot);
+  return true;
+}
+
+void Figure::setCurveVisible(QCPAbstractPlottable& curve, bool visible) {
+  for (int i = 0; i < plottableCount(); ++i) {
+    QCPAbstractPlottable* other = plottable(i);
+    const bool goesAlong = !legend->hasItemWithPlottable(other) && other->pen() == curve.pen();
+    if (other == &curve || goesAlong) other->setVisible(visible);
+  }
+  for (const auto& [mark, marked] : marks_)
+    if (mark && marked == &curve) mark->setVisible(visible);
 }
 
 }  // namespace squat::plots

@@ -3,13 +3,17 @@
 
 #include "plots/PlotLibrary.h"
 
+#include <utility>
+#include <vector>
+
 #include "plots/Style.h"
 
 namespace squat::plots {
 
 class CaptionElement;
 
-// A QCustomPlot with a name, a printed size, a caption line above the axes and a legend row that never covers data.
+// A QCustomPlot with a name, a printed size, a caption line above the axes and a legend row that never covers data. A
+// click on a name in the legend hides its curve or shows it again; names of hidden curves are dimmed, in files as well.
 class Figure : public QCustomPlot {
   Q_OBJECT
  public:
@@ -24,6 +28,13 @@ class Figure : public QCustomPlot {
 
   void setCaption(const QString& left, const QString& right);
   void showLegend(bool visible);
+  // With its curve go those without a name that are drawn with the same pen, and what marks them. False: the legend has
+  // no such entry (from 0), and nothing happens.
+  bool toggleCurve(int entry);
+  void setCurveVisible(QCPAbstractPlottable& curve, bool visible);
+  QCPAbstractPlottable* curveOfEntry(int entry) const;  // null: the legend has none
+  int legendEntryAt(const QPoint& place) const;         // [pixels] of the figure; -1: none
+  void addMark(QCPAbstractItem* mark, QCPAbstractPlottable* curve) { marks_.emplace_back(mark, curve); }
   // Second axes right of the first, of the same look, size and ranges: what moves one moves the other.
   QCPAxisRect* addAxesBeside();
   // Right of the axes, e.g. a colour scale. The figure owns it.
@@ -35,11 +46,14 @@ class Figure : public QCustomPlot {
  private:
   void styleAxes(QCPAxisRect& axes);
   void layOut();
+  void takeClicks();
   QString name_;
   Style style_;
   QSizeF printedSize_{85.0, 60.0};
   CaptionElement* caption_;
   QCPLayoutGrid* axesRow_ = nullptr;
+  std::vector<std::pair<QPointer<QCPAbstractItem>, QCPAbstractPlottable*>> marks_;  // of which curve
+  bool onLegend_ = false;                                                           // the mouse
 };
 
 }  // namespace squat::plots

@@ -6,7 +6,8 @@
 namespace squat::plots {
 
 // One row where all names fit into `width` [units of the figure], else further rows. A name that is longer than a whole
-// row is shortened in its middle, because names of runs differ at their ends.
-void fitLegend(QCPLegend& legend, int width);
+// row is shortened in its middle, because names of runs differ at their ends. Names of hidden curves are dimmed towards
+// `ground`, the colour behind them.
+void fitLegend(QCPLegend& legend, int width, const QColor& ground);
 
 }  // namespace squat::plots

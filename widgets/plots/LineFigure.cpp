@@ -50,7 +50,7 @@ void addBand(Figure& figure, double from, double to) {
   band->setSelectable(false);
 }
 
-void addPointLabel(Figure& figure, double x, double y, const QString& text, Qt::AlignmentFlag side) {
+QCPItemText* addPointLabel(Figure& figure, double x, double y, const QString& text, Qt::AlignmentFlag side) {
   auto* label = new QCPItemText(&figure);
   label->setPositionAlignment(side | Qt::AlignBottom);
   label->position->setCoords(x, y);
@@ -59,6 +59,7 @@ void addPointLabel(Figure& figure, double x, double y, const QString& text, Qt::
   label->setColor(figure.style().text);
   label->setText(text);
   label->setSelectable(false);
+  return label;
 }
 
 QCPItemText* addNotice(Figure& figure, const QString& text) {

@@ -28,7 +28,8 @@ QCPGraph* addCurve(Figure& figure, const Curve& curve);
 void addBand(Figure& figure, double from, double to);
 
 // Label above a point of the curve: centred, or beginning (Qt::AlignLeft) or ending (Qt::AlignRight) there.
-void addPointLabel(Figure& figure, double x, double y, const QString& text, Qt::AlignmentFlag side = Qt::AlignHCenter);
+QCPItemText* addPointLabel(Figure& figure, double x, double y, const QString& text,
+                           Qt::AlignmentFlag side = Qt::AlignHCenter);
 
 // Short text in the middle of the axes, e.g. why there is nothing to see. The figure owns it.
 QCPItemText* addNotice(Figure& figure, const QString& text);

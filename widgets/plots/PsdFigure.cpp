@@ -44,7 +44,8 @@ void addLineLabels(Figure& figure, const std::vector<signals::SpectralPeak>& lin
       if (apart == 0 || std::abs(apart) > wide || std::abs(height(drawn(line)) - height(drawn(other))) > high) continue;
       side = apart > 0 ? Qt::AlignLeft : Qt::AlignRight;
     }
-    addPointLabel(figure, line.frequency, drawn(line), QString::number(line.frequency, 'f', 0), side);
+    figure.addMark(addPointLabel(figure, line.frequency, drawn(line), QString::number(line.frequency, 'f', 0), side),
+                   figure.graph(0));
   }
 }
 

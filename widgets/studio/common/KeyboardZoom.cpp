@@ -74,7 +74,8 @@ QString KeyboardZoom::description() const {
                            ? tr("Plus and minus zoom, left and right move the view, Home shows the whole.")
                            : tr("Plus and minus zoom along the horizontal axis, with Shift along the vertical one; "
                                 "arrow keys move the view, Home shows all.");
-  return keys_.more.isEmpty() ? view : view + ' ' + keys_.more;
+  const QString curves = tr("Digits hide and show the curves of the legend.");
+  return view + ' ' + (keys_.more.isEmpty() ? curves : keys_.more + ' ' + curves);
 }
 
 bool KeyboardZoom::eventFilter(QObject*, QEvent* event) {
@@ -89,6 +90,8 @@ bool KeyboardZoom::take(const QKeyEvent& event) {
     keys_.showAll();
     return true;
   }
+  if (!modifiers && event.key() >= Qt::Key_1 && event.key() <= Qt::Key_9)
+    return figure_.toggleCurve(event.key() - Qt::Key_1);
   if (zoomOf(event) != 0 && !(modifiers & ~Qt::ShiftModifier))
     zoom(event);
   else if (modifiers || !pan(arrowOf(event)))

@@ -10,10 +10,12 @@
 namespace squat::studio {
 namespace {
 
-// Nothing where the first one is no curve but single points.
+// The first that is not hidden; nothing where that is no curve but single points.
 QSharedPointer<QCPGraphDataContainer> firstCurve(const plots::Figure& figure) {
-  if (figure.graphCount() == 0 || figure.graph(0)->lineStyle() == QCPGraph::lsNone) return {};
-  return figure.graph(0)->data();
+  for (int i = 0; i < figure.graphCount(); ++i)
+    if (figure.graph(i)->visible())
+      return figure.graph(i)->lineStyle() == QCPGraph::lsNone ? nullptr : figure.graph(i)->data();
+  return {};
 }
 
 // Not-a-number outside the first curve.

@@ -12,6 +12,7 @@
 #include "studio/common/KeyboardZoom.h"
 #include "studio/common/LocationToSave.h"
 #include "studio/common/MouseZoom.h"
+#include "studio/common/Words.h"
 #include "studio/signals/CursorPair.h"
 #include "studio/signals/FigureTable.h"
 
@@ -37,10 +38,12 @@ void FigureView::show(std::unique_ptr<plots::Figure> figure, double secondsPerUn
   const int lastMoved = cursors_ ? cursors_->lastMoved() : 0;
   const bool focused = figure_ && figure_->hasFocus();
   if (focused) setFocus();  // so that it does not go to the next widget
+  const auto hidden = hiddenCurves();
   table_ = table;
   delete figure_;
   figure_ = figure.release();
   figure_->setParent(this);
+  hideCurves(hidden);
   layout()->addWidget(figure_);
   fullX_ = figure_->xAxis->range();
   fullY_ = figure_->yAxis->range();
@@ -63,10 +66,24 @@ void FigureView::show(std::unique_ptr<plots::Figure> figure, double secondsPerUn
   for (const QCPAxis* axis : {figure_->xAxis, figure_->yAxis})
     connect(axis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &FigureView::zoomed);
   connect(figure_, &QWidget::customContextMenuRequested, this, &FigureView::openMenu);
-  connect(figure_, &QCustomPlot::mouseDoubleClick, this, &FigureView::resetZoom);
+  connect(figure_, &QCustomPlot::mouseDoubleClick, this, [this](const QMouseEvent* event) {
+    if (figure_->legendEntryAt(event->pos()) < 0) resetZoom();
+  });
   figure_->setAttribute(Qt::WA_TransparentForMouseEvents, shifting_);
   figure_->show();
   if (focused) figure_->setFocus();
+}
+
+std::set<QString> FigureView::hiddenCurves() const {
+  std::set<QString> names;
+  for (int i = 0; figure_ && figure_->curveOfEntry(i); ++i)
+    if (const auto* curve = figure_->curveOfEntry(i); !curve->visible()) names.insert(machineName(curve->name()));
+  return names;
+}
+
+void FigureView::hideCurves(const std::set<QString>& names) {
+  for (int i = 0; auto* curve = figure_->curveOfEntry(i); ++i)
+    if (names.contains(machineName(curve->name()))) figure_->setCurveVisible(*curve, false);
 }
 
 void FigureView::takeKeys() {

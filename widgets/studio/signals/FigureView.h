@@ -5,6 +5,7 @@
 #include <QWidget>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "plots/Figure.h"
 #include "plots/PrintedSize.h"
@@ -19,7 +20,8 @@ class FigureView : public QWidget {
   explicit FigureView(const QString& name, QWidget* parent = nullptr);
 
   // Takes the figure; a view that the user has zoomed keeps its range, and its cursors their places, where the axis
-  // label is the same. `table`: its numbers as CSV where they are more than its curves; empty: figureTable().
+  // label is the same. Curves that the user has hidden stay hidden, by their names in tables. `table`: its numbers as
+  // CSV where they are more than its curves; empty: figureTable().
   void show(std::unique_ptr<plots::Figure> figure, double secondsPerUnit, const QString& unit,
             const QByteArray& table = {});
   plots::Figure* figure() const { return figure_; }
@@ -56,6 +58,8 @@ class FigureView : public QWidget {
 
  private:
   void takeKeys();
+  std::set<QString> hiddenCurves() const;
+  void hideCurves(const std::set<QString>& names);
   double distance(const QMouseEvent& event) const;
   void openMenu(const QPoint& location);
   QSize printedUnits() const;

@@ -48,15 +48,17 @@ class MarkText : public QCPItemText {
   bool above_;
 };
 
-void addMark(plots::Figure& figure, double x, double y, const QString& text, bool above, const QColor& ground) {
+// `curve`: that the mark is on; null: none.
+void addMark(plots::Figure& figure, QCPAbstractPlottable* curve, const QPointF& place, const QString& text, bool above,
+             const QColor& ground) {
   auto* ring = new QCPItemTracer(&figure);
   ring->setStyle(QCPItemTracer::tsCircle);
   ring->setSize(7);
   ring->setPen(QPen(figure.style().curve(3), 1.4));
   ring->setBrush(Qt::NoBrush);
-  ring->position->setCoords(x, y);
+  ring->position->setCoords(place);
   ring->setSelectable(false);
-  auto* label = new MarkText(figure, x, y, above);
+  auto* label = new MarkText(figure, place.x(), place.y(), above);
   label->setFont(figure.style().tickFont());
   label->setColor(figure.style().text);
   label->setBrush(ground);
@@ -64,7 +66,7 @@ void addMark(plots::Figure& figure, double x, double y, const QString& text, boo
   label->setText(text);
   label->setSelectable(false);
   for (QCPAbstractItem* item : {static_cast<QCPAbstractItem*>(ring), static_cast<QCPAbstractItem*>(label)})
-    item->setLayer("overlay");
+    item->setLayer("overlay"), figure.addMark(item, curve);
 }
 
 QString signedText(double value, int digits) { return QString::number(value, 'f', digits).replace('-', QChar(0x2212)); }
@@ -105,9 +107,9 @@ void markExtremes(plots::Figure& figure, const QString& unit) {
   const QCPRange values = figure.yAxis->range();
   constexpr double room = 0.08;  // for the texts
   figure.yAxis->setRange(values.lower - room * values.size(), values.upper + room * values.size());
-  addMark(figure, highest->key, highest->value, locationText(highest->value, highest->key, unit), true,
-          Qt::transparent);
-  addMark(figure, lowest->key, lowest->value, locationText(lowest->value, lowest->key, unit), false, Qt::transparent);
+  for (const QCPGraphData* point : {highest, lowest})
+    addMark(figure, figure.graph(0), {point->key, point->value}, locationText(point->value, point->key, unit),
+            point == highest, Qt::transparent);
 }
 
 void markLines(plots::Figure& figure, const QString& unit) {
@@ -132,7 +134,7 @@ void markLines(plots::Figure& figure, const QString& unit) {
     const QPointF at = cellLocation(*map, columnOf[peaks[i].index], static_cast<int>(peaks[i].index));
     QString text = QObject::tr("%1 Hz at %2 %3").arg(at.y(), 0, 'f', 0).arg(signedText(at.x(), 0), unit);
     if (at.y() < trustedFrom(figure, at.x())) text += QObject::tr(" (edge effect)");
-    addMark(figure, at.x(), at.y(), text, true, ground);
+    addMark(figure, nullptr, at, text, true, ground);
   }
 }
 
