@@ -11,9 +11,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
-#include <QResizeEvent>
 #include <QScreen>
-#include <QSettings>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -78,9 +76,7 @@ MainWindow::MainWindow(StudioServices services, QWidget* parent)
   layout()->setSizeConstraint(QLayout::SetNoConstraint);  // setNarrow() makes room below the width of all
   setMinimumSize(smallestSize);
   resize(usualSize.boundedTo(screen()->availableSize()));
-  const QSettings settings;
-  restoreGeometry(settings.value("geometry").toByteArray());
-  restoreState(settings.value("state").toByteArray());
+  takeLayout();
   showTitle();
   recoverWork();
 }
@@ -127,53 +123,6 @@ void MainWindow::makeParts() {
   run_ = new RunPanel(controller_, style, this);
   runs_ = new RunsPanel(store_, this);
   comparison_ = new ComparisonWindow(store_, this);
-}
-
-QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* inside, Qt::DockWidgetArea area) {
-  auto* dock = new QDockWidget(title, this);
-  dock->setObjectName(name);
-  dock->setWidget(inside);
-  addDockWidget(area, dock);
-  return dock;
-}
-
-// The case at the left in full height, signals at the right, the run and the list of runs side by side below.
-void MainWindow::makeDocks() {
-  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
-  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
-  formDock_ = addDock("caseDock", tr("Case"), form_, Qt::LeftDockWidgetArea);
-  signalsDock_ = addDock("signalsDock", tr("Signals"), right_, Qt::RightDockWidgetArea);
-  runDock_ = addDock("runDock", tr("Run"), run_, Qt::BottomDockWidgetArea);
-  runsDock_ = addDock("runsDock", tr("Runs"), runs_, Qt::BottomDockWidgetArea);
-  splitDockWidget(runDock_, runsDock_, Qt::Horizontal);
-  resizeDocks({formDock_, signalsDock_}, {320, 480}, Qt::Horizontal);
-  resizeDocks({runDock_, runsDock_}, {540, 580}, Qt::Horizontal);
-  resizeDocks({runDock_}, {250}, Qt::Vertical);
-}
-
-// Where form, middle and signals have no room beside each other, the form is the first tab of the middle.
-void MainWindow::setNarrow(bool narrow) {
-  if (narrow == isNarrow_) return;
-  isNarrow_ = narrow;
-  if (narrow) {
-    formWasShown_ = !formDock_->isHidden();
-    formDock_->hide();
-    formDock_->setWidget(nullptr);
-    middle_->insertTab(0, form_, formDock_->windowTitle());
-  } else {
-    middle_->removeTab(middle_->indexOf(form_));
-    formDock_->setWidget(form_);
-    formDock_->setVisible(formWasShown_);
-    form_->show();
-    resizeDocks({formDock_, signalsDock_}, {form_->minimumWidth(), right_->minimumSizeHint().width()}, Qt::Horizontal);
-  }
-  formDock_->toggleViewAction()->setEnabled(!narrow);
-}
-
-void MainWindow::resizeEvent(QResizeEvent* event) {
-  setNarrow(event->size().width() < widthOfAll_);
-  QMainWindow::resizeEvent(event);
 }
 
 QWidget* MainWindow::showForm() {
@@ -421,10 +370,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (!leave && part) keep(part);
   if (!leave) return;
   keeper_->end();
-  QSettings settings;
-  settings.setValue("geometry", saveGeometry());
-  setNarrow(false);  // the state is that of a wide window
-  settings.setValue("state", saveState());
+  keepLayout();
   preview_.setHeld(true);
   event->accept();
 }

@@ -103,6 +103,7 @@ class MainWindow : public QMainWindow {
   bool saveResultTo(int row, const QString& path);
   void startRun() { beginRun(false); }
   void resumeRun() { beginRun(true); }  // with the one of this case that was stopped
+  void resetLayout();                   // docks and handles as at the first start
   void showTour();
   void offerTour();  // at the first start
   void setDark(bool dark);
@@ -112,6 +113,7 @@ class MainWindow : public QMainWindow {
   static QStringList tabNames();
 
  protected:
+  bool event(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
@@ -121,6 +123,11 @@ class MainWindow : public QMainWindow {
  private:
   void makeParts();
   void makeDocks();
+  void divideRoom();
+  void takeLayout();  // of the settings
+  void keepLayout();
+  bool signalsAreBeside() const;  // at the right, not hidden
+  void shareWidth();
   void connectParts();
   void connectPreview();
   void offerPreview();
@@ -225,9 +232,11 @@ class MainWindow : public QMainWindow {
   QStringList cases_;  // files of the cases of this work, the last one first
   QTabWidget *middle_, *right_;
   QDockWidget *formDock_, *signalsDock_, *runDock_, *runsDock_;
+  QSize anchor_;           // [pixels] a width of the window, and the width of the signals in it, as the user chose them
   int widthOfAll_ = 0;     // [pixels] the least that form, middle and signals need beside each other
   bool isNarrow_ = false;  // the form is a tab of the middle
   bool formWasShown_ = true;
+  bool wasShown_ = false;
   QMenu* recent_ = nullptr;
   QAction *darkAction_ = nullptr, *resumeAction_ = nullptr;
   bool closing_ = false, ending_ = false;

@@ -221,6 +221,7 @@ void MainWindow::makeViewMenu() {
     menu->addAction(action);
   }
   menu->addSeparator();
+  add(menu, tr("Reset &layout"), QKeySequence("Ctrl+Alt+L"), "resetLayout", this, &MainWindow::resetLayout);
   add(menu, tr("&Fit profile to view"), QKeySequence("Ctrl+0"), "fit", this, [this] { profile_->plot()->fit(); });
   addPaneKeys(*this, [this] {
     std::vector<QWidget*> panes{middle_, right_, run_, runs_};
