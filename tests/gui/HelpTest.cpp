@@ -11,10 +11,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextBrowser>
+#include <algorithm>
 
 #include "core/ProgramVersion.h"
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
+#include "studio/window/HelpSearch.h"
 #include "studio/window/HelpWindow.h"
 
 namespace squat::studio {
@@ -159,6 +161,79 @@ TEST(Help, pagesAreListedByTheirHeadingAndShown) {
   HelpWindow withIndex(pages + QStringList{index});
   withIndex.setAttribute(Qt::WA_DeleteOnClose, false);
   EXPECT_TRUE(withIndex.browser()->toPlainText().contains("Start here."));
+}
+
+// "One" has wheel three times and flat twice, of these one each below "Part"; "Two" has no flat; "Three" has wheel
+// three times and flat four times.
+class HelpSearch : public testing::Test {
+ protected:
+  QString write(const QString& name, const QByteArray& text) const {
+    QFile file(folder_.filePath(name));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    return file.fileName();
+  }
+  const QTemporaryDir folder_;
+  const QStringList pages_{write("one.md", "# One\n\nA wheel flat. Wheel.\n\n## `Part` of it\n\nFlat wheel.\n"),
+                           write("two.md", "# Two\n\nA wheel.\n"),
+                           write("three.md", "# Three\n\nFlat wheels, flat wheels, flat wheels: flat.\n")};
+};
+
+TEST_F(HelpSearch, listsThePagesThatHoldAllWordsByTheirMatches) {
+  const auto matches = searchHelp(pages_, "  Wheel flat ");
+  ASSERT_EQ(matches.size(), 2u);
+  EXPECT_EQ(matches[0].title, "Three");
+  EXPECT_EQ(matches[0].count, 7);
+  EXPECT_EQ(matches[1].title, "One");
+  EXPECT_EQ(matches[1].count, 5);
+  ASSERT_EQ(matches[1].sections.size(), 1u);
+  EXPECT_EQ(matches[1].sections[0].heading, "Part of it");
+  EXPECT_EQ(matches[1].sections[0].anchor, "part-of-it");
+  EXPECT_EQ(matches[1].sections[0].count, 2);
+  EXPECT_TRUE(searchHelp(pages_, "ballast").empty());
+  EXPECT_TRUE(searchHelp(pages_, " ").empty());
+}
+
+// Of two pages that hold the word, that of the manual is what a user looks for.
+TEST_F(HelpSearch, pagesOfTheManualComeFirst) {
+  ASSERT_TRUE(QDir(folder_.path()).mkdir("manual"));
+  const auto matches = searchHelp(pages_ + QStringList{write("manual/four.md", "# Four\n\nA wheel.\n")}, "wheel");
+  ASSERT_EQ(matches.size(), 4u);
+  EXPECT_EQ(matches[0].title, "Four");
+}
+
+TEST_F(HelpSearch, isTypedAndLedBackTo) {
+  HelpWindow help(pages_);
+  help.setAttribute(Qt::WA_DeleteOnClose, false);
+  help.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&help));
+  tests::press(help, Qt::Key_F, Qt::ControlModifier);
+  tests::type(help, "wheel flat");
+  tests::press(help, Qt::Key_Return);
+  const auto text = [&] { return help.browser()->toPlainText(); };
+  EXPECT_TRUE(text().contains("Three (7 matches)")) << text().toStdString();
+  EXPECT_TRUE(text().contains("One (5 matches)"));
+  EXPECT_FALSE(text().contains("Two"));
+  QUrl part = QUrl::fromLocalFile(pages_[0]);
+  part.setFragment("part-of-it");
+  EXPECT_TRUE(help.browser()->toHtml().contains(part.toString(QUrl::FullyEncoded)));
+  help.browser()->setSource(part);  // as a click on the link
+  EXPECT_TRUE(text().contains("A wheel flat."));
+  EXPECT_EQ(help.browser()->extraSelections().size(), 5);  // each match is marked
+  help.browser()->backward();
+  EXPECT_TRUE(text().contains("Three (7 matches)")) << text().toStdString();
+  help.findChild<QLineEdit*>("helpSearch")->clear();
+  EXPECT_EQ(help.browser()->extraSelections().size(), 0);
+  help.search("ballast");
+  EXPECT_TRUE(text().contains("No page holds all of these words")) << text().toStdString();
+}
+
+TEST_F(HelpSearch, findsThePagesOfTheManual) {
+  const auto matches = searchHelp(helpPages(), "wheel flat");
+  ASSERT_FALSE(matches.empty());
+  for (const auto& match : matches) EXPECT_TRUE(QFile::exists(match.page)) << match.page.toStdString();
+  EXPECT_TRUE(std::any_of(matches.begin(), matches.end(),
+                          [](const auto& match) { return QFileInfo(match.page).fileName() == "model.md"; }));
 }
 
 }  // namespace

@@ -5,15 +5,19 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QToolBar>
 
 #include "case/ShippedCases.h"
+#include "studio/window/HelpSearch.h"
 #include "text/HeadingAnchor.h"
 
 namespace squat::studio {
 namespace {
+
+constexpr const char* searchScheme = "search";  // what a search has found is a page of its own: Back leads to it
 
 // The manual's own, resources/manual/README.md.
 bool isIndex(const QString& page) {
@@ -44,6 +48,7 @@ class PageBrowser : public QTextBrowser {
   }
 
   QVariant loadResource(int type, const QUrl& name) override {
+    if (name.scheme() == searchScheme) return listOfMatches(pages_, name.path());
     const QUrl url = found(name);
     const QString path = url.toLocalFile();
     const bool isText = type == QTextDocument::HtmlResource && !path.endsWith(".html");
@@ -85,22 +90,11 @@ class PageBrowser : public QTextBrowser {
   const QStringList pages_;
 };
 
-// The first heading, else the name of the file.
-QString titleOf(const QString& page) {
-  QFile file(page);
-  constexpr int linesLookedAt = 40;  // a picture or badges may stand above the heading
-  if (file.open(QIODevice::ReadOnly))
-    for (int i = 0; i < linesLookedAt && !file.atEnd(); ++i) {
-      const QString line = QString::fromUtf8(file.readLine()).trimmed();
-      if (line.startsWith("# ")) return line.mid(2).trimmed();
-    }
-  return QFileInfo(page).completeBaseName().replace('-', ' ');
-}
-
 QString listOf(const QStringList& pages) {
   QString text = QObject::tr("# Squat Studio: help\n\n");
   for (const QString& page : pages)
-    text += QStringLiteral("- [%1](%2)\n").arg(titleOf(page), QUrl::fromLocalFile(page).toString(QUrl::FullyEncoded));
+    text +=
+        QStringLiteral("- [%1](%2)\n").arg(titleOfPage(page), QUrl::fromLocalFile(page).toString(QUrl::FullyEncoded));
   if (pages.isEmpty())
     text += QObject::tr(
         "No manual pages are installed beside this program. `squat --help` lists the commands, "
@@ -131,7 +125,7 @@ QStringList helpPages() {
 }
 
 HelpWindow::HelpWindow(const QStringList& pages, QWidget* parent)
-    : QMainWindow(parent), pages_(pages), browser_(new PageBrowser(pages, this)) {
+    : QMainWindow(parent), pages_(pages), browser_(new PageBrowser(pages, this)), search_(new QLineEdit(this)) {
   setWindowTitle(tr("Squat Studio: help"));
   setObjectName("helpWindow");
   setAttribute(Qt::WA_DeleteOnClose);
@@ -150,8 +144,58 @@ HelpWindow::HelpWindow(const QStringList& pages, QWidget* parent)
   forward->setEnabled(false);
   connect(browser_, &QTextBrowser::backwardAvailable, back, &QAction::setEnabled);
   connect(browser_, &QTextBrowser::forwardAvailable, forward, &QAction::setEnabled);
+  makeSearch(*bar);
   resize(860, 720);
+  browser_->setFocus();  // keys scroll what is read
   showIndex();
+}
+
+void HelpWindow::makeSearch(QToolBar& bar) {
+  search_->setObjectName("helpSearch");
+  search_->setAccessibleName(tr("Search the pages"));
+  search_->setPlaceholderText(tr("Search (Ctrl+F)"));
+  search_->setToolTip(tr("Words that a page must hold; Return lists the pages"));
+  search_->setClearButtonEnabled(true);
+  search_->setMinimumWidth(120);
+  search_->setMaximumWidth(320);
+  QAction* find = bar.addWidget(search_);
+  find->setText(tr("Search"));
+  find->setShortcut(QKeySequence::Find);
+  connect(find, &QAction::triggered, search_, [this] {
+    search_->setFocus();
+    search_->selectAll();
+  });
+  connect(search_, &QLineEdit::returnPressed, this, [this] { search(search_->text()); });
+  connect(search_, &QLineEdit::textChanged, this, &HelpWindow::markMatches);
+  connect(browser_, &QTextBrowser::sourceChanged, this, &HelpWindow::markMatches);
+  setTabOrder(search_, browser_);
+}
+
+void HelpWindow::search(const QString& words) {
+  const QString sought = words.simplified();
+  if (sought.isEmpty()) return showIndex();
+  search_->setText(sought);
+  QUrl url;
+  url.setScheme(searchScheme);
+  url.setPath(sought);
+  browser_->setSource(url, QTextDocument::HtmlResource);
+  browser_->setFocus();  // Tab goes to the first page
+}
+
+// In every page that is shown, until the words are gone from the field.
+void HelpWindow::markMatches() {
+  QList<QTextEdit::ExtraSelection> marks;
+  QTextCharFormat look;
+  look.setBackground(palette().color(QPalette::Highlight));
+  look.setForeground(palette().color(QPalette::HighlightedText));
+  constexpr qsizetype fewestLetters = 3;  // of a word: below, half the page would be marked
+  const auto words = search_->text().split(' ', Qt::SkipEmptyParts);
+  for (const QString& word : words) {
+    if (word.size() < fewestLetters) continue;
+    QTextCursor at(browser_->document());
+    while (!(at = browser_->document()->find(word, at)).isNull()) marks.push_back({at, look});
+  }
+  browser_->setExtraSelections(marks);
 }
 
 void HelpWindow::showIndex() {

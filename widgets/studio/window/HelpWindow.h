@@ -4,7 +4,9 @@
 #include <QMainWindow>
 #include <QStringList>
 
+class QLineEdit;
 class QTextBrowser;
+class QToolBar;
 
 namespace squat::studio {
 
@@ -23,10 +25,15 @@ class HelpWindow : public QMainWindow {
   void showIndex();
   // "studio.md" or "studio.md#runs"; the index where there is no such page.
   void showPage(const QString& target);
+  void search(const QString& words);  // lists the pages that hold all of them
 
  private:
+  void makeSearch(QToolBar& bar);
+  void markMatches();
+
   QStringList pages_;
   QTextBrowser* browser_;
+  QLineEdit* search_;
 };
 
 }  // namespace squat::studio
