@@ -7,6 +7,11 @@
 #include "signals/SignalCatalogue.h"
 
 namespace squat::plots {
+namespace {
+
+constexpr const char* nameOfNotices = "notice";
+
+}  // namespace
 
 std::vector<double> scaled(const std::vector<double>& values, double factor) {
   std::vector<double> result(values);
@@ -67,12 +72,35 @@ QCPItemText* addNotice(Figure& figure, const QString& text) {
   label->position->setType(QCPItemPosition::ptAxisRectRatio);
   label->position->setCoords(0.5, 0.5);
   label->setFont(figure.style().tickFont());
+  label->setObjectName(nameOfNotices);
   label->setColor(figure.style().muted);
   label->setBrush(figure.style().background);
   label->setPadding(QMargins(4, 2, 4, 2));
   label->setText(text);
   label->setSelectable(false);
   return label;
+}
+
+void clearNotices(Figure& figure) {
+  for (int i = figure.itemCount() - 1; i >= 0; --i)
+    if (figure.item(i)->objectName() == nameOfNotices) figure.removeItem(i);
+}
+
+bool holdsNothing(Figure& figure) {
+  for (int i = 0; i < figure.plottableCount(); ++i) {
+    bool found = false;
+    static_cast<void>(figure.plottable(i)->getKeyRange(found));
+    if (found) return false;
+  }
+  return true;
+}
+
+void showEmpty(Figure& figure, const QString& nextStep) {
+  for (QCPAxisRect* axes : figure.axisRects()) axes->setVisible(false);
+  for (int i = 0; i < figure.itemCount(); ++i) figure.item(i)->setVisible(false);
+  figure.setCaption({}, {});
+  figure.showLegend(false);
+  addNotice(figure, nextStep)->setFont(figure.style().labelFont());
 }
 
 void fitValues(Figure& figure, double margin) {

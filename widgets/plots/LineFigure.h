@@ -33,6 +33,12 @@ QCPItemText* addPointLabel(Figure& figure, double x, double y, const QString& te
 
 // Short text in the middle of the axes, e.g. why there is nothing to see. The figure owns it.
 QCPItemText* addNotice(Figure& figure, const QString& text);
+void clearNotices(Figure& figure);
+
+// No curve has a point, and there is no map.
+bool holdsNothing(Figure& figure);
+// In place of axes that have nothing to show: what to do next. Nothing else is seen.
+void showEmpty(Figure& figure, const QString& nextStep);
 
 // Range of y over the curves' points with x in the x axis's range, widened by `margin` of its span on both sides;
 // never empty.

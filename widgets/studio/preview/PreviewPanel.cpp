@@ -26,6 +26,8 @@ constexpr int fewTicks = 3;
 std::unique_ptr<plots::Figure> scalogramOf(const results::RunResult& result, const plots::Style& style) {
   auto figure = plots::buildFigure(plots::figureRow("scalogram"), result, style);
   figure->setCaption({}, {});
+  if (plots::holdsNothing(*figure))
+    plots::showEmpty(*figure, PreviewPanel::tr("Change the profile:\nits preview is\ndrawn here"));
   // Half as wide as elsewhere: the words go into the tool tip, and fewer numbers fit.
   if (auto* scale = figure->findChild<QCPColorScale*>()) scale->axis()->setLabel({});
   figure->setToolTip(PreviewPanel::tr("Wavelet power [(m/s²)² s] of the preview"));

@@ -1,6 +1,7 @@
 #include "studio/records/RecordStrip.h"
 
 #include <QMouseEvent>
+#include <QPushButton>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "plots/LineFigure.h"
 #include "plots/UnitText.h"
 #include "studio/common/KeyboardZoom.h"
 
@@ -31,12 +33,18 @@ constexpr std::array marks{
 }  // namespace
 
 RecordStrip::RecordStrip(const plots::Style& style, QWidget* parent)
-    : QWidget(parent), style_(style), timer_(new QTimer(this)) {
+    : QWidget(parent),
+      style_(style),
+      sample_(new QPushButton(tr("Open the sam&ple record"), this)),
+      timer_(new QTimer(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   setMinimumHeight(135);
   timer_->setInterval(growEvery);
   connect(timer_, &QTimer::timeout, this, &RecordStrip::grow);
+  sample_->setObjectName("openSample");
+  sample_->setToolTip(tr("300 m of signal with squats, joints, welds and a wheel flat, computed by the solver"));
+  connect(sample_, &QPushButton::clicked, this, &RecordStrip::sampleRequested);
   makeFigure();
 }
 
@@ -67,10 +75,26 @@ void RecordStrip::makeFigure() {
   connect(figure_, &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
     if (event->buttons() & Qt::LeftButton) whole_ = false;
   });
-  if (anew) {
-    figure_->xAxis->setRange(kept);
-    draw();
-  }
+  nextStep_ = plots::addNotice(*figure_, tr("No record yet: add one above, or look at the sample"));
+  nextStep_->position->setCoords(0.5, 0.25);  // the button stands below
+  nextStep_->setFont(style_.labelFont());
+  if (anew) figure_->xAxis->setRange(kept);
+  sample_->raise();
+  draw();
+}
+
+// Axes without numbers would be those of no record.
+void RecordStrip::showEmptyState() {
+  const bool empty = !overview_;
+  figure_->axisRect()->setVisible(!empty);
+  nextStep_->setVisible(empty);
+  sample_->setVisible(empty);
+  for (QCPAxis* axis : {figure_->xAxis, figure_->yAxis}) axis->setTickLabels(signal_->dataCount() > 0);
+}
+
+void RecordStrip::placeSample() {
+  sample_->resize(sample_->sizeHint());
+  sample_->move((width() - sample_->width()) / 2, (height() - sample_->height()) / 2);
 }
 
 void RecordStrip::setStyle(const plots::Style& style) {
@@ -177,6 +201,7 @@ void RecordStrip::draw() {
   for (const double value : y) low = std::min(low, value), high = std::max(high, value);
   figure_->yAxis->setRange(low - 0.06 * (high - low), high + 0.1 * (high - low));
   drawMarks();
+  showEmptyState();
   chosen_->setVisible(position_.has_value());
   if (position_) {
     chosen_->point1->setCoords(*position_, 0);
@@ -185,7 +210,11 @@ void RecordStrip::draw() {
   figure_->replot(QCustomPlot::rpQueuedReplot);
 }
 
+// Kinds that the user has hidden in the legend stay hidden.
 void RecordStrip::drawMarks() {
+  QStringList hidden;
+  for (int i = 1; i < figure_->graphCount(); ++i)
+    if (!figure_->graph(i)->visible()) hidden << figure_->graph(i)->name();
   while (figure_->graphCount() > 1) figure_->removeGraph(figure_->graphCount() - 1);
   if (report_)
     for (std::size_t k = 0; k < marks.size(); ++k) {
@@ -200,6 +229,7 @@ void RecordStrip::drawMarks() {
       QCPGraph* graph = figure_->addGraph();
       graph->setData(x, y);
       graph->setName(QString::fromStdString(detection::toText(marks[k].kind)));
+      graph->setVisible(!hidden.contains(graph->name()));
       graph->setLineStyle(QCPGraph::lsNone);
       graph->setScatterStyle(QCPScatterStyle(marks[k].shape, style_.curve(k + 1), style_.curve(k + 1), 8));
     }
@@ -224,6 +254,7 @@ void RecordStrip::pick(const QPoint& point) {
 
 void RecordStrip::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  placeSample();
   draw();
 }
 

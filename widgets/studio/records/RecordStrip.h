@@ -10,6 +10,7 @@
 #include "records/Overview.h"
 #include "studio/records/EventModel.h"
 
+class QPushButton;
 class QTimer;
 
 namespace squat::studio {
@@ -34,6 +35,7 @@ class RecordStrip : public QWidget {
   plots::Figure* figure() const { return figure_; }
 
  Q_SIGNALS:
+  void sampleRequested();  // there is no record, and the user wants to see one
   void channelsChanged();
   void eventPicked(int event);  // the nearest mark to where the mouse was pressed
 
@@ -42,6 +44,8 @@ class RecordStrip : public QWidget {
 
  private:
   void makeFigure();
+  void showEmptyState();
+  void placeSample();
   void grow();
   void draw();
   void drawMarks();
@@ -56,6 +60,8 @@ class RecordStrip : public QWidget {
   plots::Figure* figure_ = nullptr;
   QCPGraph* signal_ = nullptr;
   QCPItemStraightLine* chosen_ = nullptr;
+  QCPItemText* nextStep_ = nullptr;  // in place of the axes where there is no record
+  QPushButton* sample_;
   QString channel_;
   std::optional<double> position_;
   QTimer* timer_;

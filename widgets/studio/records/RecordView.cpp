@@ -87,6 +87,7 @@ RecordView::RecordView(const plots::Style& style, QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(makeBar());
   layout->addWidget(parts, 1);
+  connect(strip_, &RecordStrip::sampleRequested, this, &RecordView::sampleRequested);
   connect(strip_, &RecordStrip::channelsChanged, this, [this] {
     channel_->clear();
     channel_->addItems(strip_->channels());

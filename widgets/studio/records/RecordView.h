@@ -48,6 +48,7 @@ class RecordView : public QWidget {
   void writeLabels(const QString& path);  // throws FileError
 
  Q_SIGNALS:
+  void sampleRequested();                      // a record to try the window with
   void passageRequested(const QString& file);  // to be shown in the figures
   void estimateRequested(const QString& file);
   void labelsSaved(const QString& path);

@@ -42,4 +42,12 @@ std::unique_ptr<plots::Figure> signalFigure(const std::string& name, const resul
   return figure;
 }
 
+void showNextStep(plots::Figure& figure, bool hasOverlays, bool isComing) {
+  if (!plots::holdsNothing(figure)) return plots::clearNotices(figure);
+  plots::showEmpty(figure, isComing      ? QObject::tr("The run is being read")
+                           : hasOverlays ? QObject::tr("This figure is drawn of runs:\nrun the case (F5)")
+                                         : QObject::tr("Run the case (F5),\noverlay a measured signal (Ctrl+M)\n"
+                                                       "or open a result (Ctrl+Shift+O)"));
+}
+
 }  // namespace squat::studio

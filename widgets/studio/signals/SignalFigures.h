@@ -17,4 +17,8 @@ std::unique_ptr<plots::Figure> signalFigure(const std::string& name, const resul
                                             const std::vector<StoredRun>& overlays,
                                             const analysis::FigureSettings& settings, const plots::Style& style);
 
+// For a figure that was built without a run: where it has nothing of the overlaid signals either, what to do next
+// stands in place of its axes. `isComing`: the run is being read.
+void showNextStep(plots::Figure& figure, bool hasOverlays, bool isComing);
+
 }  // namespace squat::studio

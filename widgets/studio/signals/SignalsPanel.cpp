@@ -369,7 +369,10 @@ void SignalsPanel::rebuild(const QString& name) {
   const double secondsPerUnit = !isLinked(name) ? 0 : unit == "ms" ? 1e-3 : secondsPerMillimetre;
   linking_ = true;
   try {
-    views_[name]->show(signalFigure(row.name, *shown_, store_.overlays(), settings_, style_), secondsPerUnit, unit,
+    auto figure = signalFigure(row.name, *shown_, store_.overlays(), settings_, style_);
+    const bool isComing = store_.waitingCurrent() >= 0;
+    if (!store_.currentResult()) showNextStep(*figure, !store_.overlays().empty(), isComing);
+    views_[name]->show(std::move(figure), secondsPerUnit, unit,
                        row.table ? row.table(*shown_, settings_) : QByteArray());
   } catch (const std::exception& error) {  // a signal that cannot be analysed costs its figure, not the session
     problemText_ = QString::fromStdString(error.what());

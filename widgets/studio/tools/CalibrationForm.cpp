@@ -95,6 +95,8 @@ CalibrationForm::CalibrationForm(const RunStore& store, QWidget* parent)
   search->addWidget(new QLabel(tr("points:"), this));
   search->addWidget(evaluations_);
   search->addStretch(1);
+  for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+    connect(targets_->list()->model(), signal, this, &ToolForm::edited);
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addRow(tr("Unknown keys:"), rows_);

@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "case/CaseFile.h"
+#include "case/ShippedCases.h"
 #include "core/DurableFile.h"
 #include "core/FolderLock.h"
 #include "detection/DetectionSummary.h"
@@ -177,6 +178,7 @@ void DetectionForm::connectParts() {
           [this] { delete files_->list()->takeItem(files_->list()->currentRow()); });
   connect(view_, &RecordView::passageRequested, this, &DetectionForm::passageRequested);
   connect(view_, &RecordView::estimateRequested, this, &DetectionForm::estimateRequested);
+  connect(view_, &RecordView::sampleRequested, this, &DetectionForm::addSample);
   connect(view_, &RecordView::labelsSaved, labels_, &QLineEdit::setText);
   connect(view_, &RecordView::failed, this, &ToolForm::failed);
   connect(view_, &RecordView::notDrawn, this, &ToolForm::noted);
@@ -260,6 +262,13 @@ void DetectionForm::conclude() { view_->stopFollowing(); }
 
 void DetectionForm::addRecord(const QString& path) {
   if (files_->list()->findItems(path, Qt::MatchExactly).isEmpty()) files_->list()->addItem(path);
+}
+
+// It has times alone.
+void DetectionForm::addSample() {
+  constexpr double speed = 30;  // [m/s] that it was computed with
+  speed_->setValue(speed);
+  addRecord(QString::fromStdString((cases::resourcesFolder() / "records/example-record.csv").string()));
 }
 
 void DetectionForm::askForRecords() {

@@ -37,6 +37,7 @@ class DetectionForm : public ToolForm {
   void restore(const QSettings& settings) override;
 
   void addRecord(const QString& path);
+  void addSample();  // the record that is shipped
   RecordView* records() const { return view_; }
 
   // What is chosen here and seen in the view, as a project keeps it; no files: nothing is open.

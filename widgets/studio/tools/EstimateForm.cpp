@@ -74,6 +74,8 @@ EstimateForm::EstimateForm(const RunStore& store, QWidget* parent)
   row->addWidget(new QLabel(tr("longest dip:"), this));
   row->addWidget(longest_);
   row->addStretch(1);
+  for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+    connect(passages_->list()->model(), signal, this, &ToolForm::edited);
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addRow(tr("Passages:"), passages_);

@@ -122,6 +122,7 @@ ToolWindow::ToolWindow(CaseDocument& document, ToolForm* form, Blocker blocker, 
   restoreGeometry(settings.value("geometry").toByteArray());
   connect(&document_, &CaseDocument::changed, this, &ToolWindow::showCase);
   connect(&document_, &CaseDocument::titleChanged, this, &ToolWindow::showCase);
+  connect(form_, &ToolForm::edited, this, &ToolWindow::showNextStep);
   connect(form_, &ToolForm::edited, this, [this] {
     if (!refusal_.isEmpty() && messages_->text() == refusal_) messages_->clear();
   });
@@ -139,6 +140,7 @@ ToolWindow::ToolWindow(CaseDocument& document, ToolForm* form, Blocker blocker, 
   addPaneKeys(*this, [this] { return std::vector<QWidget*>{form_, tabs_}; });
   showCase();
   showState();
+  showNextStep();
 }
 
 ToolWindow::~ToolWindow() { saveOptions(); }
@@ -209,7 +211,6 @@ void ToolWindow::makeResults() {
   tabs_->addTab(text_, tr("Result"));
   tabs_->addTab(log_, tr("Log"));
   text_->setObjectName("toolText");
-  text_->setPlaceholderText(tr("Press Start. What comes out is shown here and written into the folder."));
   log_->setObjectName("toolLog");
   ownTabs_ = tabs_->count();
 }
@@ -232,6 +233,13 @@ void ToolWindow::showCase() {
 void ToolWindow::setFolder(const QString& folder) {
   ownFolder_ = true;
   folder_->setText(folder);
+}
+
+// While nothing has come out: what is missing first.
+void ToolWindow::showNextStep() {
+  const QString missing = form_->missing();
+  const QString start = tr("Press Start. What comes out is shown here and written into the folder.");
+  text_->setPlaceholderText(missing.isEmpty() ? start : missing + '\n' + start);
 }
 
 void ToolWindow::askForFolder() {

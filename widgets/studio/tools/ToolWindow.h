@@ -65,6 +65,7 @@ class ToolWindow : public QWidget {
   void makeResults();
   QString usualFolder() const;
   void showCase();
+  void showNextStep();
   void askForFolder();
   void showState();
   void showNews(const WorkerMonitor::News& news);
