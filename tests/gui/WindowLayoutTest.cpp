@@ -83,11 +83,23 @@ TEST_F(WindowLayout, theWidthThatTheUserGaveCounts) {
   EXPECT_NEAR(signalsWidth(), chosen, rounding);
 }
 
+// Form, middle and signals beside each other, the run and the list of runs below the last two.
 TEST_F(WindowLayout, resetPutsEverythingBack) {
   constexpr int close = 20;  // [pixels] a handle and a frame
   const char* docks[] = {"caseDock", "signalsDock", "runDock", "runsDock"};
+  window_->resetLayout();
+  QTest::qWait(30);
   QRect before[4];
   for (int i = 0; i < 4; ++i) before[i] = dock(docks[i])->geometry();
+  const QRect middle = window_->centralWidget()->geometry();
+  EXPECT_LT(before[0].right(), middle.left());
+  EXPECT_LT(middle.right(), before[1].left());
+  EXPECT_NEAR(before[1].width(), 480, rounding);
+  EXPECT_LT(middle.bottom(), before[2].top());
+  EXPECT_NEAR(before[2].height(), 250, close);
+  EXPECT_LT(before[0].right(), before[2].left());
+  EXPECT_LT(before[2].right(), before[3].left());
+  EXPECT_EQ(before[2].top(), before[3].top());
   auto* splitter = window_->centralWidget()->findChild<QSplitter*>();
   ASSERT_NE(splitter, nullptr);
   const QList<int> sizes = splitter->sizes();

@@ -7,6 +7,7 @@
 #include <QTabWidget>
 #include <QTimer>
 #include <algorithm>
+#include <numeric>
 
 #include "studio/document/ParameterForm.h"
 #include "studio/runs/RunPanel.h"
@@ -64,9 +65,13 @@ void MainWindow::resetLayout() {
   formWasShown_ = true;
   formDock_->setVisible(!isNarrow_);
   for (QDockWidget* dock : {signalsDock_, runDock_, runsDock_}) dock->show();
-  for (QSplitter* splitter : findChildren<QSplitter*>())
-    if (const auto sizes = splitter->property(firstSizes); sizes.isValid())
-      splitter->setSizes(sizes.value<QList<int>>());
+  for (QSplitter* splitter : findChildren<QSplitter*>()) {
+    auto sizes = splitter->property(firstSizes).value<QList<int>>();
+    if (sizes.isEmpty() || sizes.size() != splitter->count()) continue;
+    const auto now = splitter->sizes();  // of this window, which may be larger: the first part gets what is more
+    sizes[0] += std::accumulate(now.begin(), now.end(), 0) - std::accumulate(sizes.begin(), sizes.end(), 0);
+    splitter->setSizes(sizes);
+  }
   shareWidth();
 }
 
