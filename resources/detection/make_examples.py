@@ -7,10 +7,9 @@ For each of N vehicles and tracks (presets of the program, their inputs varied w
 distance from the sleeper) one call of squat examples on the mesh tiny writes FOLDER/vehicle-NNN.csv; a vehicle whose
 table stands there already is not computed again. FOLDER/examples.csv is all of them. With --passages the signals are
 kept in FOLDER/vehicle-NNN, for evaluate_detection.py. With --sides, models are whole, with the defect on the left rail
-alone and pads of the right rail up to a fifth softer or stiffer: for evaluate_sides.py, and for side-examples.csv, which
-has nine vehicles of seed 60 with --squats 5 --others 1 --flats 0 (the first with 6 and 2). Ranges are assumed; none comes
-from a measurement. Needs Python 3 and squat. A vehicle with 15 squats, six others and two flats takes some minutes on
-two cores, more where others run on a track of their own.
+alone and pads of the right rail up to a fifth softer or stiffer; combine_examples.py adds such tables to others. Ranges are
+assumed; none comes from a measurement. Needs Python 3 and squat. A vehicle with 15 squats, six others and two flats takes
+some minutes on two cores, more where others run on a track of their own.
 """
 import argparse
 import math
