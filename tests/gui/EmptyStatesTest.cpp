@@ -12,6 +12,7 @@
 
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
+#include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
 #include "studio/common/Theme.h"
 #include "studio/records/RecordView.h"
@@ -88,6 +89,9 @@ TEST(EmptyStates, theWindowOfRecordsOffersTheSample) {
   EXPECT_TRUE(strip->rect().contains(button->geometry()));
   EXPECT_FALSE(strip->figure()->xAxis->realVisibility());
   EXPECT_TRUE(wordsIn(*strip->figure()).contains("add one above"));
+  button->hide();  // the words alone
+  EXPECT_GT(tests::inkShare(strip->figure()->grab().toImage()), 0.001);
+  button->show();
   tests::click(*button);
   ASSERT_TRUE(tests::passes([&] { return strip->figure()->graph(0)->dataCount() > 100; }, tests::patience));
   EXPECT_EQ(form->findChild<QListWidget*>()->count(), 1);

@@ -69,7 +69,7 @@ class RecordAxles : public testing::Test {
     QProcess program;
     program.setWorkingDirectory(folder_.path());
     program.start(SQUAT_PROGRAM,
-                  QStringList{"detect", "record.csv", "--speed", "30", "-o", "command", "--no-figures"} + axles);
+                  QStringList{"detect", path("record.csv"), "--speed", "30", "-o", "command", "--no-figures"} + axles);
     EXPECT_TRUE(program.waitForFinished(tests::patience));
     EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
     return read("command/squats.csv");

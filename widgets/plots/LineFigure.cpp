@@ -96,11 +96,16 @@ bool holdsNothing(Figure& figure) {
 }
 
 void showEmpty(Figure& figure, const QString& nextStep) {
-  for (QCPAxisRect* axes : figure.axisRects()) axes->setVisible(false);
+  for (QCPAxisRect* axes : figure.axisRects())  // one that is hidden itself hides the words
+    for (QCPAxis* axis : axes->axes()) axis->setVisible(false), axis->grid()->setVisible(false);
   for (int i = 0; i < figure.itemCount(); ++i) figure.item(i)->setVisible(false);
   figure.setCaption({}, {});
   figure.showLegend(false);
-  addNotice(figure, nextStep)->setFont(figure.style().labelFont());
+  QCPItemText* words = addNotice(figure, nextStep);
+  words->setFont(figure.style().labelFont());
+  words->position->setType(QCPItemPosition::ptViewportRatio);
+  words->position->setCoords(0.5, 0.5);
+  words->setClipToAxisRect(false);
 }
 
 void fitValues(Figure& figure, double margin) {

@@ -86,10 +86,11 @@ void RecordStrip::makeFigure() {
 // Axes without numbers would be those of no record.
 void RecordStrip::showEmptyState() {
   const bool empty = !overview_;
-  figure_->axisRect()->setVisible(!empty);
+  for (QCPAxis* axis : figure_->axisRect()->axes()) axis->setVisible(!empty);
   nextStep_->setVisible(empty);
   sample_->setVisible(empty);
-  for (QCPAxis* axis : {figure_->xAxis, figure_->yAxis}) axis->setTickLabels(signal_->dataCount() > 0);
+  for (QCPAxis* axis : {figure_->xAxis, figure_->yAxis})
+    axis->grid()->setVisible(!empty), axis->setTickLabels(signal_->dataCount() > 0);
 }
 
 void RecordStrip::placeSample() {

@@ -67,8 +67,9 @@ void TargetList::fillMenu() {
 void TargetList::addFile(const QString& nameOrPath) {
   for (int i = 0; i < list()->count(); ++i)
     if (list()->item(i)->data(fileRole).toString() == nameOrPath) return;
-  auto* item = new QListWidgetItem(nameOrPath, list());
+  auto* item = new QListWidgetItem(nameOrPath);
   item->setData(fileRole, nameOrPath);
+  list()->addItem(item);  // complete: who hears of a new row asks what it is
   list()->setCurrentItem(item);
 }
 
@@ -83,9 +84,10 @@ void TargetList::addSignal(int row) {
   const StoredRun& run = store_.at(row);
   for (const auto& [item, known] : measured_)
     if (known.row() == row) return;
-  auto* item = new QListWidgetItem(tr("Measured: %1").arg(run.label), list());
+  auto* item = new QListWidgetItem(tr("Measured: %1").arg(run.label));
   item->setToolTip(run.path);
   measured_.emplace(item, store_.index(row));
+  list()->addItem(item);
   list()->setCurrentItem(item);
 }
 
