@@ -65,7 +65,7 @@ void addForces(std::vector<PaperRow>& rows, const RunResult& result) {
   for (const auto& one : wheels) {
     PaperRow row{"contact force of the " + one.wheel + ", minimum", roundedText(1e-3 * one.smallest, "kN"), "", ""};
     if (one.liftOff)
-      row.paper = "lifts off at " + roundedText(1e3 * *one.liftOff, "ms") + ", in the air for " +
+      row.ours += ", lifts off at " + roundedText(1e3 * *one.liftOff, "ms") + ", in the air for " +
                   roundedText(1e3 * one.aloft, "ms");
     rows.push_back(row);
   }

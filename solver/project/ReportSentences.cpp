@@ -40,8 +40,8 @@ std::string saidName(const ReportSignal& signal) {
 }
 
 std::string accelerationWords(const signals::Features& features) {
-  return " from " + saidNumber(features.minimum) + " to " + saidNumber(features.maximum) + " " +
-         text::printedUnit(features.unit);
+  return " from " + saidNumber(features.minimum) + " to " + saidNumber(features.maximum) +
+         (features.unit.empty() ? "" : " " + text::printedUnit(features.unit));
 }
 
 std::string lineWords(const signals::Features& features) {

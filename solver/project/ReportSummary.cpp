@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "analysis/FeatureTable.h"
+#include "analysis/WheelForces.h"
 #include "case/CaseDescription.h"
 #include "case/CaseNames.h"
 #include "case/DecimalNumber.h"
@@ -113,19 +114,40 @@ void addNumbers(const std::vector<analysis::NamedNumbers>& numbers, std::vector<
   }
 }
 
-// Of runs alone: nobody measures it.
-void addContactForces(const Report& report, std::vector<SummaryRow>& rows) {
-  for (const char* name : {"smallest_contact_force", "largest_contact_force"}) {
-    SummaryRow row{analysis::featureTitle(name) + " [kN]", {}};
-    for (const auto& signal : report.signals) {
-      row.cells.emplace_back(noNumber);
-      if (!signal.result) continue;
-      for (const auto& feature : featuresOf(*signal.result))
-        if (feature.name == name && !std::isnan(feature.value))
-          row.cells.back() = text::roundedText(1e-3 * feature.value);
+// Of each wheel; 0 where it lifts off. A wheel that is alone has no name.
+void addSmallestForces(const Report& report, std::vector<SummaryRow>& rows) {
+  const std::string title = analysis::featureTitle("smallest_contact_force");
+  std::vector<SummaryRow> forces;
+  for (std::size_t column = 0; column < report.signals.size(); ++column) {
+    if (!report.signals[column].result) continue;
+    const auto wheels = analysis::wheelForces(*report.signals[column].result);
+    for (const auto& one : wheels) {
+      const std::string name = title + (wheels.size() < 2 ? "" : " of the " + one.wheel) + " [kN]";
+      auto row = std::find_if(forces.begin(), forces.end(), [&](const auto& each) { return each.title == name; });
+      if (row == forces.end())
+        row = forces.insert(row, {name, std::vector<std::string>(report.signals.size(), noNumber)});
+      row->cells[column] = text::roundedText(1e-3 * one.smallest);
     }
-    rows.push_back(std::move(row));
   }
+  rows.insert(rows.end(), forces.begin(), forces.end());
+}
+
+// Of runs alone: nobody measures it. Where there are several wheels, the largest is that of the first left one.
+void addContactForces(const Report& report, std::vector<SummaryRow>& rows) {
+  addSmallestForces(report, rows);
+  const char* name = "largest_contact_force";
+  SummaryRow row{analysis::featureTitle(name), {}};
+  bool areSeveral = false;
+  for (const auto& signal : report.signals) {
+    row.cells.emplace_back(noNumber);
+    if (!signal.result) continue;
+    areSeveral = areSeveral || analysis::wheelForces(*signal.result).size() > 1;
+    for (const auto& feature : featuresOf(*signal.result))
+      if (feature.name == name && !std::isnan(feature.value))
+        row.cells.back() = text::roundedText(1e-3 * feature.value);
+  }
+  row.title += areSeveral ? " of the first left wheel [kN]" : " [kN]";
+  rows.push_back(std::move(row));
 }
 
 void addLikeness(const Report& report, const std::vector<SignalNumbers>& numbers, std::vector<SummaryRow>& rows) {

@@ -150,9 +150,8 @@ TEST(PaperTable, EachOfSeveralWheelsHasItsSmallestForce) {
   EXPECT_EQ(row(result, "contact force of the left wheel, minimum").ours, "25 kN");
   EXPECT_THAT(row(result, "contact force of the left wheel, minimum").paper, IsEmpty());
   // 300 samples of 25 kHz; ten of them.
-  EXPECT_EQ(row(result, "contact force of the right wheel, minimum").ours, "0 kN");
-  EXPECT_EQ(row(result, "contact force of the right wheel, minimum").paper,
-            "lifts off at 12 ms, in the air for 0.4 ms");
+  EXPECT_EQ(row(result, "contact force of the right wheel, minimum").ours,
+            "0 kN, lifts off at 12 ms, in the air for 0.4 ms");
 }
 
 TEST(PaperTable, AStoppedRunIsNotJudged) {

@@ -65,6 +65,8 @@ void CurvePlot::setReference(const std::vector<double>& x, const std::vector<dou
     reference_->setName(label);
     curve_->addToLegend();
     reference_->addToLegend();
+  } else {
+    curve_->setVisible(true), reference_->setVisible(true);  // what a legend hides, it alone shows again
   }
   showLegend(hasLegend);
   fit(isWhole_);

@@ -66,7 +66,9 @@ void RecordStrip::makeFigure() {
   chosen_ = new QCPItemStraightLine(figure_);
   chosen_->setPen(QPen(style_.axis, 1, Qt::DashLine));
   connect(figure_->xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, [this] { draw(); });
-  connect(figure_, &QCustomPlot::mouseDoubleClick, this, &RecordStrip::showWhole);
+  connect(figure_, &QCustomPlot::mouseDoubleClick, this, [this](const QMouseEvent* event) {
+    if (figure_->legendEntryAt(event->pos()) < 0) showWhole();
+  });
   connect(figure_, &QCustomPlot::mousePress, this, [this](QMouseEvent* event) { pick(event->pos()); });
   connect(figure_, &QCustomPlot::mouseWheel, this, [this] { whole_ = false; });
   const auto* keys = new KeyboardZoom(

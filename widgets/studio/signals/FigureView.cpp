@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QMouseEvent>
+#include <map>
 
 #include "core/Errors.h"
 #include "plots/FigureFiles.h"
@@ -17,6 +18,22 @@
 #include "studio/signals/FigureTable.h"
 
 namespace squat::studio {
+
+namespace {
+
+// Names of a figure's legend by which a curve is known again when it is drawn once more. Machine names leave out what
+// changes, such as the extreme values, and may be alike then: those are counted.
+QStringList keysOfCurves(plots::Figure& figure) {
+  QStringList keys;
+  std::map<QString, int> seen;
+  for (int i = 0; const auto* curve = figure.curveOfEntry(i); ++i) {
+    const QString name = machineName(curve->name());
+    keys << QStringLiteral("%1 %2").arg(name).arg(++seen[name]);
+  }
+  return keys;
+}
+
+}  // namespace
 
 FigureView::FigureView(const QString& name, QWidget* parent) : QWidget(parent), name_(name) {
   auto* layout = new QVBoxLayout(this);
@@ -75,15 +92,18 @@ void FigureView::show(std::unique_ptr<plots::Figure> figure, double secondsPerUn
 }
 
 std::set<QString> FigureView::hiddenCurves() const {
-  std::set<QString> names;
-  for (int i = 0; figure_ && figure_->curveOfEntry(i); ++i)
-    if (const auto* curve = figure_->curveOfEntry(i); !curve->visible()) names.insert(machineName(curve->name()));
-  return names;
+  std::set<QString> hidden;
+  if (!figure_) return hidden;
+  const QStringList keys = keysOfCurves(*figure_);
+  for (int i = 0; i < keys.size(); ++i)
+    if (!figure_->curveOfEntry(i)->visible()) hidden.insert(keys[i]);
+  return hidden;
 }
 
-void FigureView::hideCurves(const std::set<QString>& names) {
-  for (int i = 0; auto* curve = figure_->curveOfEntry(i); ++i)
-    if (names.contains(machineName(curve->name()))) figure_->setCurveVisible(*curve, false);
+void FigureView::hideCurves(const std::set<QString>& hidden) {
+  const QStringList keys = keysOfCurves(*figure_);
+  for (int i = 0; i < keys.size(); ++i)
+    if (hidden.contains(keys[i])) figure_->setCurveVisible(*figure_->curveOfEntry(i), false);
 }
 
 void FigureView::takeKeys() {

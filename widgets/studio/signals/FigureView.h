@@ -59,7 +59,7 @@ class FigureView : public QWidget {
  private:
   void takeKeys();
   std::set<QString> hiddenCurves() const;
-  void hideCurves(const std::set<QString>& names);
+  void hideCurves(const std::set<QString>& hidden);
   double distance(const QMouseEvent& event) const;
   void openMenu(const QPoint& location);
   QSize printedUnits() const;

@@ -12,6 +12,7 @@
 #include <QPointer>
 #include <QSettings>
 #include <algorithm>
+#include <memory>
 
 #include "case/CaseFile.h"
 #include "case/ShippedCases.h"
@@ -60,6 +61,10 @@ detection::SourceOptions sourceOf(const Search& wanted, const ToolInput& input) 
   source.labelsFile = wanted.records.labels;
   source.jobs = studies::coresHere();
   return source;
+}
+
+QString samplePath() {
+  return QString::fromStdString((cases::resourcesFolder() / "records/example-record.csv").string());
 }
 
 ToolResult computeSearch(const Search& wanted, const ToolInput& input, Monitor& monitor) {
@@ -174,8 +179,10 @@ void DetectionForm::layOutFields() {
 
 void DetectionForm::connectParts() {
   connect(files_->add(), &QToolButton::clicked, this, &DetectionForm::askForRecords);
-  connect(files_->remove(), &QToolButton::clicked, this,
-          [this] { delete files_->list()->takeItem(files_->list()->currentRow()); });
+  connect(files_->remove(), &QToolButton::clicked, this, [this] {
+    const std::unique_ptr<QListWidgetItem> gone(files_->list()->takeItem(files_->list()->currentRow()));
+    if (gone && gone->text() == samplePath()) speed_->setValue(0);  // that of the next record is another
+  });
   connect(view_, &RecordView::passageRequested, this, &DetectionForm::passageRequested);
   connect(view_, &RecordView::estimateRequested, this, &DetectionForm::estimateRequested);
   connect(view_, &RecordView::sampleRequested, this, &DetectionForm::addSample);
@@ -264,11 +271,12 @@ void DetectionForm::addRecord(const QString& path) {
   if (files_->list()->findItems(path, Qt::MatchExactly).isEmpty()) files_->list()->addItem(path);
 }
 
-// It has times alone.
+// It has times alone, and one channel: what was typed for another record does not fit it.
 void DetectionForm::addSample() {
+  for (QLineEdit* each : {channels_, axles_, units_, chainage_}) each->clear();
   constexpr double speed = 30;  // [m/s] that it was computed with
   speed_->setValue(speed);
-  addRecord(QString::fromStdString((cases::resourcesFolder() / "records/example-record.csv").string()));
+  addRecord(samplePath());
 }
 
 void DetectionForm::askForRecords() {

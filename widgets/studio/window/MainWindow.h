@@ -233,6 +233,7 @@ class MainWindow : public QMainWindow {
   QTabWidget *middle_, *right_;
   QDockWidget *formDock_, *signalsDock_, *runDock_, *runsDock_;
   QSize anchor_;           // [pixels] a width of the window, and the width of the signals in it, as the user chose them
+  int sharedWidth_ = 0;    // [pixels] that the signals got last, or were given by the user
   int widthOfAll_ = 0;     // [pixels] the least that form, middle and signals need beside each other
   bool isNarrow_ = false;  // the form is a tab of the middle
   bool formWasShown_ = true;

@@ -102,12 +102,14 @@ void MainWindow::shareWidth() {
   const int wanted = anchor_.height() + qRound(shareOfSignals * (width() - anchor_.width()));
   resizeDocks({signalsDock_}, {std::max(wanted, signalsDock_->minimumSizeHint().width())}, Qt::Horizontal);
   layout()->activate();
+  sharedWidth_ = signalsDock_->width();
 }
 
-// A handle between docks is dragged on the window itself, which sees the button go up.
+// A handle between docks is dragged on the window itself, which sees the button go up, as it does after other clicks.
 bool MainWindow::event(QEvent* event) {
   const bool handled = QMainWindow::event(event);
-  if (event->type() == QEvent::MouseButtonRelease && signalsAreBeside()) anchor_ = {width(), signalsDock_->width()};
+  if (event->type() == QEvent::MouseButtonRelease && signalsAreBeside() && signalsDock_->width() != sharedWidth_)
+    anchor_ = {width(), sharedWidth_ = signalsDock_->width()};
   if (event->type() == QEvent::Show && !wasShown_) {
     wasShown_ = true;
     QTimer::singleShot(0, this, [this] {  // once they have their sizes
