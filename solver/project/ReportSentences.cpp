@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t saidLines = 3;
 
-// Three digits, as a sentence has room for, and never an exponent: "1090", "26.1".
+// Three digits, as a sentence has room for, without an exponent from 1e-4 up: "1090", "26.1".
 std::string saidNumber(double value) { return text::formatted(std::abs(value) >= 100 ? "%.0f" : "%.3g", value); }
 
 // "300, 1090 and 550"

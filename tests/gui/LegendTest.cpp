@@ -85,7 +85,7 @@ TEST_F(Legend, marksGoWithTheirCurve) {
   EXPECT_EQ(seenMarks(), 2);
 }
 
-// The figure is made anew with another filter; the extremes in the names change.
+// The figure is drawn again with another filter; the extremes in the names change.
 TEST_F(Legend, whatIsHiddenStaysHidden) {
   const QString name = figure()->curveOfEntry(0)->name();
   clickEntry(0);

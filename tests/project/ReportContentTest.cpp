@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <regex>
 
 #include "analysis/FeatureTable.h"
@@ -192,9 +193,12 @@ TEST(ReportSummary, hasNoRowOfNothing) {
   EXPECT_FALSE(rowNamed(content.body[0], "Depth [mm]"));
   for (auto tables : {content.body, content.appendix, contentOf(twoRuns()).body, contentOf(twoRuns()).appendix})
     for (const auto& table : tables)
-      for (const auto& row : table.rows)
+      for (const auto& row : table.rows) {
         EXPECT_TRUE(std::any_of(row.begin() + 1, row.end(), [](const auto& cell) { return cell != "-"; }))
             << table.heading << ": " << row[0];
+        // Unit and meaning stand beside a value that is missing, too.
+        if (table.columns[0] == "feature" || table.columns[0] == "key") EXPECT_NE(row[1], "-") << row[0];
+      }
 }
 
 TEST(ReportSummary, hasFourSignalsInATable) {
@@ -312,8 +316,7 @@ TEST(ReportEvents, comeFromTheListOfTheProject) {
   ASSERT_EQ(report.events.events.size(), 1U);
   EXPECT_EQ(report.events.events[0].position, 12.5);
   EXPECT_EQ(report.seen.size(), 1U);
-  EXPECT_EQ(report.eventFolder, folder.path().substr(0, report.eventFolder.size()));
-  EXPECT_FALSE(report.eventFolder.empty());
+  EXPECT_TRUE(std::filesystem::equivalent(report.eventFolder, folder.path())) << report.eventFolder;
 }
 
 }  // namespace

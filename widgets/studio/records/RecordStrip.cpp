@@ -49,8 +49,8 @@ RecordStrip::RecordStrip(const plots::Style& style, QWidget* parent)
 }
 
 void RecordStrip::makeFigure() {
-  const bool anew = figure_ != nullptr;
-  const QCPRange kept = anew ? figure_->xAxis->range() : QCPRange();
+  const bool isRedrawn = figure_ != nullptr;
+  const QCPRange kept = isRedrawn ? figure_->xAxis->range() : QCPRange();
   delete figure_;
   figure_ = new plots::Figure(QStringLiteral("record"), style_, this);
   layout()->addWidget(figure_);
@@ -80,7 +80,7 @@ void RecordStrip::makeFigure() {
   nextStep_ = plots::addNotice(*figure_, tr("No record yet: add one above, or look at the sample"));
   nextStep_->position->setCoords(0.5, 0.25);  // the button stands below
   nextStep_->setFont(style_.labelFont());
-  if (anew) figure_->xAxis->setRange(kept);
+  if (isRedrawn) figure_->xAxis->setRange(kept);
   sample_->raise();
   draw();
 }
