@@ -191,7 +191,7 @@ TEST(ReportSummary, hasNoRowOfNothing) {
   const auto content = contentOf(report);
   EXPECT_FALSE(rowNamed(content.body[0], "Correlation with shallow"));
   EXPECT_FALSE(rowNamed(content.body[0], "Depth [mm]"));
-  for (auto tables : {content.body, content.appendix, contentOf(twoRuns()).body, contentOf(twoRuns()).appendix})
+  for (const auto& tables : {content.body, content.appendix, contentOf(twoRuns()).body, contentOf(twoRuns()).appendix})
     for (const auto& table : tables)
       for (const auto& row : table.rows) {
         EXPECT_TRUE(std::any_of(row.begin() + 1, row.end(), [](const auto& cell) { return cell != "-"; }))
