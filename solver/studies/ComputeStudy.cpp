@@ -1,6 +1,7 @@
 #include "studies/ComputeStudy.h"
 
 #include <cstdio>
+#include <utility>
 
 #include "case/ShortHash.h"
 #include "core/DurableFile.h"
@@ -16,9 +17,8 @@ namespace {
 constexpr double kBytesOfARun = 1ULL << 30;  // of a part; the paper's mesh takes a quarter of it
 
 std::size_t runsAhead(const StudyJob& job) {
-  auto table = readTable(job.definition, job.study.folder);
-  if (!table) table = emptyTable(job.definition);
-  return table->count(RowState::open) + (job.study.retryFailed ? table->count(RowState::failed) : 0);
+  const auto table = tableSoFar(job);
+  return table.count(RowState::open) + (job.study.retryFailed ? table.count(RowState::failed) : 0);
 }
 
 // Of a point's files. Points that are added to a study change the numbers of others; parts by hash may grow.
@@ -37,6 +37,11 @@ std::string toText(const StudyCost& cost) {
   std::snprintf(text, sizeof text, "%zu runs of %zu elements and %.0f steps, %.2g core hours; %.0f MiB a run",
                 cost.runs, cost.run.elements, cost.run.steps, cost.coreHours(), cost.run.bytes / (1 << 20));
   return text;
+}
+
+StudyTable tableSoFar(const StudyJob& job) {
+  auto table = readTable(job.definition, job.study.folder, job.study.part);
+  return table ? std::move(*table) : emptyTable(job.definition, job.study.part);
 }
 
 StudyCost costAhead(const StudyJob& job) {

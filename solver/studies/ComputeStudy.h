@@ -30,6 +30,9 @@ struct StudyCost {
 // "12 runs of 21600 elements and 5300 steps, 0.4 core hours; 140 MiB a run"
 std::string toText(const StudyCost& cost);
 
+// What the job's folder holds, or no run ended yet. Throws as readTable().
+StudyTable tableSoFar(const StudyJob& job);
+
 // Reads what the job's folder holds. Of a part only the memory, by a rule of thumb: the rest would cost more than all
 // else of its start. Throws as readTable() and costOfARun().
 StudyCost costAhead(const StudyJob& job);

@@ -23,12 +23,18 @@ std::string oneLine(std::string text) {
 class Study {
  public:
   Study(StudyTable table, const StudyRunner& runner, const StudyOptions& options, PartLock* lock, Monitor& monitor)
-      : table_(std::move(table)), runner_(runner), options_(options), lock_(lock), monitor_(monitor) {
+      : table_(std::move(table)),
+        runner_(runner),
+        options_(options),
+        lock_(lock),
+        monitor_(monitor),
+        reporter_(options.watcher) {
     for (std::size_t i = 0; i < table_.rows.size(); ++i) {
       auto& row = table_.rows[i];
       if (row.state == RowState::failed && options.retryFailed) row = {row.point, RowState::open, {}, {}};
       if (row.state == RowState::open) open_.push_back(i);
     }
+    reporter_.begin(table_);
   }
 
   StudyTable run() {
@@ -48,13 +54,14 @@ class Study {
   // What a single run sees of the study's monitor.
   class RunMonitor : public Monitor {
    public:
-    RunMonitor(Study& study, std::size_t worker, std::string name)
-        : study_(study), worker_(worker), name_(std::move(name)) {}
+    RunMonitor(Study& study, std::size_t worker, std::size_t row, std::string name)
+        : study_(study), worker_(worker), row_(row), name_(std::move(name)) {}
     void report(const Progress& progress) override {
       const std::lock_guard lock(study_.mutex_);
       if (progress.phase == "rolling") study_.fractions_[worker_] = progress.fraction;
       if (progress.phase == "growth" && progress.remainingSeconds >= 0)
         study_.fractions_[worker_] = shareOfTime(progress.remainingSeconds);
+      study_.reporter_.progress(row_, study_.fractions_[worker_]);
       study_.reportLocked(progress);
     }
     void message(const std::string& text) override {
@@ -78,7 +85,7 @@ class Study {
     }
 
     Study& study_;
-    std::size_t worker_;
+    std::size_t worker_, row_;
     std::string name_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   };
@@ -106,6 +113,7 @@ class Study {
   std::optional<std::size_t> take() {
     const std::lock_guard lock(mutex_);
     if (stopped_ || next_ >= open_.size() || monitor_.cancelled()) return std::nullopt;
+    reporter_.beginRun(open_[next_]);
     return open_[next_++];
   }
 
@@ -121,7 +129,7 @@ class Study {
 
   StudyRow outcomeOf(std::size_t worker, std::size_t index) {
     StudyRow row = table_.rows[index];  // its own point never changes
-    RunMonitor monitor(*this, worker, toText(table_.definition, row.point));
+    RunMonitor monitor(*this, worker, index, toText(table_.definition, row.point));
     try {
       if (auto features = runner_(row.point, monitor)) {
         row.state = RowState::done;
@@ -140,6 +148,7 @@ class Study {
   void end(std::size_t worker, StudyRow row, std::size_t index) {
     const std::lock_guard lock(mutex_);
     fractions_[worker] = 0;
+    reporter_.endRun(index, row);
     if (row.state == RowState::open) return;
     const std::string name = toText(table_.definition, row.point);
     monitor_.message(name + (row.state == RowState::done ? ": done" : ": failed: " + row.message));
@@ -154,6 +163,7 @@ class Study {
   const StudyOptions& options_;
   PartLock* lock_;  // null: a study without parts
   Monitor& monitor_;
+  StudyReporter reporter_;
   std::mutex mutex_;
   std::vector<std::size_t> open_;
   std::vector<double> fractions_;  // of the runs under way, one a worker

@@ -8,6 +8,7 @@
 
 #include "core/Monitor.h"
 #include "studies/PartLock.h"
+#include "studies/StudyProgress.h"
 #include "studies/StudyTable.h"
 
 namespace squat::studies {
@@ -18,6 +19,8 @@ struct StudyOptions {
   bool retryFailed = false;                    // run those again that failed before
   std::optional<Partition> part = {};          // only the points of this part, into a table of its own
   std::chrono::milliseconds beat = kPartBeat;  // of the part's lock
+  // Hears of each run on the threads that compute, one at a time; it must not take long.
+  StudyWatcher watcher = {};
 };
 
 // One run of the study. Returns its features, nothing where it was cancelled through the monitor; throws where it

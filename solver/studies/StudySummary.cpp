@@ -1,6 +1,7 @@
 #include "studies/StudySummary.h"
 
 #include <cmath>
+#include <limits>
 
 #include "case/ParameterTable.h"
 #include "case/RightSide.h"
@@ -14,21 +15,15 @@ namespace {
 
 constexpr std::size_t kMaximumRows = 40;
 
-// Features with their short heads; a hundred columns hold these beside two keys.
-struct Shown {
-  const char *feature, *head;
-  double factor;
-};
-constexpr Shown kShown[] = {{"peak [m/s2]", "peak [m/s²]", 1},
-                            {"largest moving rms [m/s2]", "max. rms [m/s²]", 1},
-                            {"largest contact force [N]", "max. force [kN]", 1e-3},
-                            {"wavelength by ridge [m]", "wavelength [mm]", 1e3},
-                            {"peak 1 frequency [Hz]", "line 1 [Hz]", 1}};
+constexpr SummaryFeature kShown[] = {{"peak [m/s2]", "peak [m/s²]", 1},
+                                     {"largest moving rms [m/s2]", "max. rms [m/s²]", 1},
+                                     {"largest contact force [N]", "max. force [kN]", 1e-3},
+                                     {"wavelength by ridge [m]", "wavelength [mm]", 1e3},
+                                     {"peak 1 frequency [Hz]", "line 1 [Hz]", 1}};
 
-std::string cellOf(const StudyRow& row, const Shown& shown) {
-  for (const auto& [name, value] : row.features)
-    if (name == shown.feature && !std::isnan(value)) return text::roundedText(shown.factor * value);
-  return "-";
+std::string cellOf(const StudyRow& row, const SummaryFeature& feature) {
+  const double value = valueOf(row, feature);
+  return std::isnan(value) ? "-" : text::roundedText(value);
 }
 
 std::string headOf(const std::string& key) {
@@ -38,6 +33,14 @@ std::string headOf(const std::string& key) {
 }
 
 }  // namespace
+
+std::span<const SummaryFeature> summaryFeatures() { return kShown; }
+
+double valueOf(const StudyRow& row, const SummaryFeature& feature) {
+  for (const auto& [name, value] : row.features)
+    if (name == feature.name) return feature.factor * value;
+  return std::numeric_limits<double>::quiet_NaN();
+}
 
 std::string studySummary(const StudyTable& table) {
   std::vector<std::string> head;

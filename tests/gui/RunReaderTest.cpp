@@ -85,6 +85,30 @@ TEST_F(ManyRuns, keepTheFieldsOfTheLastFewThatWereLookedAt) {
   EXPECT_EQ(window.store().reference(), 0);  // still the same run
 }
 
+// Whatever else is read before it, and also where it is listed already.
+TEST_F(ManyRuns, theOneThatIsAskedForBecomesTheCurrentOne) {
+  make(7);
+  MainWindow& window = open();
+  const auto path = window.store().at(2).path.toStdString();
+  window.reader()->show(path, "again");
+  EXPECT_NE(window.store().current(), 2);
+  ASSERT_TRUE(window.reader()->waitFor(60000));
+  EXPECT_EQ(window.store().current(), 2);
+  EXPECT_EQ(window.store().rowCount(), 7);
+  window.store().setCurrent(6);
+  window.reader()->show(path, "again");
+  EXPECT_EQ(window.store().current(), 2);
+  EXPECT_EQ(window.store().at(2).label, "run 2");
+  // One that is not listed yet.
+  const auto other = folder_.filePath("other.h5").toStdString();
+  results::writeResult(other, tests::syntheticResult());
+  window.reader()->show(other, "another");
+  ASSERT_TRUE(window.reader()->waitFor(60000));
+  ASSERT_EQ(window.store().rowCount(), 8);
+  EXPECT_EQ(window.store().current(), 7);
+  EXPECT_EQ(window.store().at(7).label, "another");
+}
+
 TEST_F(ManyRuns, areSavedWithTheFieldsThatAreInTheirFileAlone) {
   make(2);
   MainWindow& window = open();

@@ -5,10 +5,12 @@
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <QTimer>
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <random>
 #include <thread>
+#include <vector>
 
 #include "core/Errors.h"
 #include "studio/runs/RunController.h"
@@ -111,6 +113,29 @@ TEST(AnyMoment, theSeamHoldsTwoHundredDisturbedRuns) {
   // Otherwise the moments were not random enough to mean anything.
   for (const int count : {seen.complete, seen.cancelled, seen.failures, closedWhileRunning}) EXPECT_GT(count, 5);
   EXPECT_GT(seen.samples, 1000u);
+}
+
+// A computation that shows itself far more often than the window looks: the last look is shown, before the end, and
+// none after a later one.
+TEST(AnyMoment, ofManyLooksTheLastOneIsShown) {
+  constexpr int looks = 100000;
+  for (int round = 0; round < 5; ++round) {
+    std::vector<int> shown;
+    int atTheEnd = 0;
+    BackgroundJob job;
+    QObject::connect(&job, &BackgroundJob::news, [](const WorkerMonitor::News& news) {
+      if (news.show) news.show();
+    });
+    QObject::connect(&job, &BackgroundJob::ended, [&] { atTheEnd = shown.empty() ? 0 : shown.back(); });
+    job.start([&](WorkerMonitor& monitor) {
+      for (int look = 1; look <= looks; ++look)
+        monitor.show([&shown, value = std::make_shared<const int>(look)] { shown.push_back(*value); });
+    });
+    ASSERT_TRUE(job.waitFor(patience));
+    EXPECT_EQ(atTheEnd, looks);
+    EXPECT_TRUE(std::is_sorted(shown.begin(), shown.end()));
+    EXPECT_LT(shown.size(), 10000u);  // nothing is queued: 20 a second
+  }
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include <QSpinBox>
 #include <QStandardPaths>
 #include <QTabWidget>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
@@ -104,7 +105,7 @@ TEST_F(Tools, aStudyIsThatOfTheCommand) {
   EXPECT_GT(read("study/study.csv").size(), 500);
   EXPECT_EQ(printed.section("command/study.csv", 0, 0), study->text().section(path("study"), 0, 0));
   EXPECT_FALSE(read("study/study_defect_depth.pdf").isEmpty());
-  EXPECT_EQ(study->findChild<QTabWidget*>()->count(), 3);  // text, log, one key's figures
+  EXPECT_EQ(study->findChild<QTabWidget*>()->count(), 4);  // runs, text, log, one key's figures
   // The runs join the list, called by what differs.
   ASSERT_TRUE(window_.reader()->waitFor(tests::patience));
   ASSERT_EQ(window_.store().rowCount(), 2);
@@ -114,6 +115,33 @@ TEST_F(Tools, aStudyIsThatOfTheCommand) {
   // Once more: nothing is computed again, nothing is listed twice.
   ASSERT_NO_FATAL_FAILURE(finish(*study));
   EXPECT_EQ(window_.store().rowCount(), 2);
+}
+
+// Each run has a row from the start on; one that has ended leads to its curves.
+TEST_F(Tools, aStudyShowsItsRunsAndOpensThem) {
+  ToolWindow* study = open("study");
+  const int runs = 6 * studies::coresHere();  // longer than the window takes to look at them
+  study->form()->findChild<KeyRows*>()->setTexts({QString("defect.depth=0.05:0.2:%1").arg(runs)});
+  study->form()->findChild<QAbstractButton*>("keepResults")->click();
+  auto* rows = study->findChild<QTableView*>("studyRows");
+  auto* show = study->findChild<QPushButton*>("studyShowRun");
+  ASSERT_TRUE(rows->isVisible());
+  study->start();
+  ASSERT_TRUE(tests::passes([&] { return rows->model()->rowCount() == runs; }, tests::patience));
+  EXPECT_TRUE(study->isComputing());  // the table stands before the end
+  ASSERT_TRUE(tests::passes([&] { return !study->isBusy(); }, tests::patience));
+  for (int row = 0; row < runs; ++row) EXPECT_EQ(rows->model()->index(row, 1).data().toString(), "done") << row;
+  ASSERT_TRUE(window_.reader()->waitFor(tests::patience));
+  rows->selectRow(runs - 1);
+  show->click();
+  EXPECT_EQ(window_.store().rowCount(), runs);
+  ASSERT_GE(window_.store().current(), 0);
+  EXPECT_EQ(window_.store().at(window_.store().current()).label, "depth 0.2");
+  // Of one that was not kept, it says how to come by it.
+  ASSERT_TRUE(QFile::remove(path("study/run-0001.h5")));
+  rows->selectRow(0);
+  show->click();
+  EXPECT_TRUE(study->messages()->text().contains("not kept")) << study->messages()->text().toStdString();
 }
 
 // By names, limits and numbers, as one who has not read how the command writes them.

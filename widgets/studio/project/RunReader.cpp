@@ -49,7 +49,7 @@ void RunReader::open(const project::Project& project, const QString& unsaved) {
   const int generation = ++generation_;
   thread_.clear();
   timer_.stop();
-  arrived_.clear(), problems_.clear(), whole_.clear(), asked_.reset();
+  arrived_.clear(), problems_.clear(), whole_.clear(), asked_.reset(), wanted_.clear();
   std::vector<StoredRun> runs;
   for (const auto& entry : project.entries) {
     StoredRun run = listedRun(entry);
@@ -89,6 +89,22 @@ void RunReader::add(const std::vector<std::pair<std::string, std::string>>& name
   Q_EMIT progressed(all_ - ahead_, all_);
 }
 
+void RunReader::show(const std::string& file, const std::string& name) {
+  wanted_ = file;
+  add({{file, name}});
+  showWanted();
+}
+
+void RunReader::showWanted() {
+  for (int row = 0; !wanted_.empty() && row < store_.rowCount(); ++row) {
+    const StoredRun& run = store_.at(row);
+    if (run.path.toStdString() != wanted_) continue;
+    if (run.opening) return;
+    wanted_.clear();
+    if (run.result) store_.setCurrent(row);
+  }
+}
+
 void RunReader::ask(const RunLink& link, int generation) {
   thread_.start([this, link, generation] {
     if (generation != generation_) return;
@@ -123,6 +139,7 @@ void RunReader::list() {
   for (auto& [link, run] : std::exchange(arrived_, {}))
     if (const int row = store_.rowOfLink(link); row >= 0) read.emplace_back(row, std::move(run));
   store_.fill(read);
+  showWanted();
   Q_EMIT progressed(all_ - ahead_, all_);
   if (ahead_ == 0) Q_EMIT finished(std::exchange(problems_, {}));
 }

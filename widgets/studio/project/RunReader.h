@@ -29,6 +29,8 @@ class RunReader : public QObject {
   void open(const project::Project& project, const QString& unsaved = {});
   // Result files and their names, after all runs there are; those that are listed already are left out.
   void add(const std::vector<std::pair<std::string, std::string>>& namedFiles);
+  // The same of one file, which becomes the current run once it is read.
+  void show(const std::string& file, const std::string& name);
   bool isBusy() const { return ahead_ > 0; }
   bool waitFor(int milliseconds);  // runs the event loop until all is read
 
@@ -44,6 +46,7 @@ class RunReader : public QObject {
   void ask(const RunLink& link, int generation);
   void take(const RunLink& link, StoredRun run, const QString& problem);
   void list();  // what has been read since
+  void showWanted();
   void readFields();
   void takeFields(const RecordPointer& light, const ResultPointer& whole, const QString& problem);
   void setWhole(int row, const ResultPointer& whole);
@@ -52,6 +55,7 @@ class RunReader : public QObject {
   std::atomic<int> generation_{0};
   int ahead_ = 0, all_ = 0;
   QStringList problems_;
+  std::string wanted_;               // file of the run that is to become the current one; empty: none
   RecordPointer asked_;              // the run whose fields are being read
   std::deque<RecordPointer> whole_;  // runs whose fields can be read again, the last one used first
   std::vector<std::pair<RunLink, StoredRun>> arrived_;

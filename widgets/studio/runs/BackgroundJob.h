@@ -16,7 +16,7 @@ class BackgroundJob : public QObject {
   Q_OBJECT
  public:
   // Called in the job's thread. What it throws comes back with ended().
-  using Work = std::function<void(Monitor&)>;
+  using Work = std::function<void(WorkerMonitor&)>;
 
   explicit BackgroundJob(QObject* parent = nullptr);
   ~BackgroundJob() override;  // cancels and waits

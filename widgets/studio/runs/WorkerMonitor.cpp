@@ -1,6 +1,7 @@
 #include "studio/runs/WorkerMonitor.h"
 
 #include <chrono>
+#include <utility>
 
 namespace squat::studio {
 
@@ -24,6 +25,12 @@ void WorkerMonitor::report(const Progress& progress) {
 void WorkerMonitor::message(const std::string& text) {
   const std::lock_guard lock(mutex_);
   news_.messages << QString::fromStdString(text);
+}
+
+// What it replaces goes after the lock is given back: it may hold much.
+void WorkerMonitor::show(std::function<void()> soFar) {
+  const std::lock_guard lock(mutex_);
+  news_.show.swap(soFar);
 }
 
 // Phases before the rolling ask only this: a pause holds them here.
@@ -54,6 +61,7 @@ WorkerMonitor::News WorkerMonitor::takeNews() {
   News news = news_;
   news_.messages.clear();
   news_.samples.clear();
+  news_.show = nullptr;
   return news;
 }
 

@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <atomic>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <vector>
 
@@ -31,6 +32,10 @@ class WorkerMonitor : public Monitor {
   bool cancelled() override;  // waits while paused
   bool paused() override;     // sleeps up to 20 ms while paused, so that the asking thread does not spin
 
+  // What stands so far, as a call that shows it in the window's thread. It holds values of its own, which nobody
+  // changes. Only the last one that was not taken yet counts.
+  void show(std::function<void()> soFar);
+
   void cancel();
   void setPaused(bool paused);
   bool isCancelled() const { return cancel_; }
@@ -40,6 +45,7 @@ class WorkerMonitor : public Monitor {
     Progress progress;
     QStringList messages;
     std::vector<LiveSample> samples;  // since the last call
+    std::function<void()> show;       // empty: nothing new
   };
   News takeNews();
 

@@ -5,6 +5,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPointer>
 #include <QSettings>
 #include <QSpinBox>
 #include <filesystem>
@@ -18,6 +19,7 @@
 #include "studies/ComputeStudy.h"
 #include "studies/StudySummary.h"
 #include "studio/tools/KeyRows.h"
+#include "studio/tools/StudyView.h"
 
 namespace squat::studio {
 namespace {
@@ -53,13 +55,19 @@ std::string nameOf(const studies::StudyDefinition& definition, const studies::St
   return name;
 }
 
-ToolResult computeStudy(studies::StudyJob job, const studies::StudyRequest& request, const ToolInput& input,
-                        Monitor& monitor) {
+ToolResult computeStudy(studies::StudyJob job, const studies::StudyRequest& request, const QPointer<StudyForm>& form,
+                        const ToolInput& input, Monitor& monitor) {
   job.study.folder = input.folder;
   makeFolder(input.folder);
   const FolderLock owner(input.folder, "Squat Studio, study");
   const auto files = studies::studyFiles(input.folder);
   job.definition = studies::studyOf(keepCase(input, files.front()), job.overrides, request);
+  job.study.watcher = [&input, form, kept = std::make_shared<const studies::StudyJob>(job)](const auto& progress) {
+    input.show([form, kept, study = std::make_shared<const studies::StudyProgress>(progress)] {
+      if (form) form->showStudy(study, kept);
+    });
+  };
+  job.study.watcher(studies::progressOf(studies::tableSoFar(job)));  // the start in common may take long
   const auto cost = studies::costAhead(job);
   if (cost.runs > 0) monitor.message("estimate: " + studies::toText(cost));
   studies::shareCores(job, 0, 0, cost);
@@ -85,7 +93,8 @@ StudyForm::StudyForm(QWidget* parent)
       points_(new QComboBox(this)),
       count_(new QSpinBox(this)),
       keep_(new QCheckBox(tr("&Keep the result of each run, and list it"), this)),
-      runs_(new QLabel(this)) {
+      runs_(new QLabel(this)),
+      view_(new StudyView(this)) {
   points_->setObjectName("points");
   points_->setAccessibleName(tr("Points"));
   points_->addItems({tr("All combinations"), tr("Sobol sample"), tr("Latin hypercube sample")});
@@ -104,6 +113,7 @@ StudyForm::StudyForm(QWidget* parent)
   });
   connect(count_, &QSpinBox::valueChanged, this, &StudyForm::showRuns);
   connect(rows_, &KeyRows::edited, this, &StudyForm::showRuns);
+  connect(view_, &StudyView::runRequested, this, &StudyForm::openRun);
   connect(rows_, &KeyRows::edited, this, &ToolForm::edited);
   auto* points = new QHBoxLayout;
   points->addWidget(points_);
@@ -138,8 +148,30 @@ ToolWork StudyForm::work() {
     request.sample = std::string(methods[points_->currentIndex()]) + ":" + std::to_string(count_->value());
   studies::StudyJob job;
   job.keepResults = keep_->isChecked();
-  return
-      [job, request](const ToolInput& input, Monitor& monitor) { return computeStudy(job, request, input, monitor); };
+  view_->clear();  // of the study before
+  return [job, request, form = QPointer(this)](const ToolInput& input, Monitor& monitor) {
+    return computeStudy(job, request, form, input, monitor);
+  };
+}
+
+QWidget* StudyForm::view() const { return view_; }
+
+void StudyForm::showStudy(const StudyPointer& study, const std::shared_ptr<const studies::StudyJob>& job) {
+  shown_ = job;
+  view_->setStudy(study);
+}
+
+void StudyForm::conclude() { view_->conclude(); }
+
+void StudyForm::openRun(const studies::StudyPoint& point) {
+  const std::string file = studies::resultFile(*shown_, point);
+  if (!std::filesystem::exists(file)) {
+    Q_EMIT noted(
+        tr("The result of this run was not kept. To look at it, choose \"Keep the result of each run\" and "
+           "start the study in another folder."));
+    return;
+  }
+  Q_EMIT runRequested(QString::fromStdString(file), QString::fromStdString(nameOf(shown_->definition, point)));
 }
 
 void StudyForm::save(QSettings& settings) const {

@@ -24,6 +24,9 @@ struct ToolInput {
   cases::CaseDescription description;
   std::string folder;              // of all that is written
   std::vector<std::string> files;  // that the case is from, which nothing may replace
+  // What stands so far, as a call that shows it in the form's view, in the window's thread: it holds values of its own,
+  // which nobody changes. Called in any thread of the work; of what was not shown yet, only the last one counts.
+  std::function<void(const std::function<void()>&)> show = [](const std::function<void()>&) {};
 };
 
 struct ToolResult {
@@ -67,8 +70,9 @@ class ToolForm : public QWidget {
 
  Q_SIGNALS:
   void failed(const QString& problem);
-  void noted(const QString& note);  // shown until an option changes
-  void edited();                    // an option has changed: a message about the one before is out of date
+  void noted(const QString& note);                              // shown until an option changes
+  void runRequested(const QString& file, const QString& name);  // a result that the main window shows
+  void edited();  // an option has changed: a message about the one before is out of date
 };
 
 // Writes the case as FOLDER/case/NAME.toml and returns its path: the tool reads it from there, so that edits meanwhile

@@ -130,6 +130,7 @@ ToolWindow::ToolWindow(CaseDocument& document, ToolForm* form, Blocker blocker, 
     refusal_ = note;
     messages_->say(note);
   });
+  connect(form_, &ToolForm::runRequested, this, &ToolWindow::runRequested);
   connect(form_, &ToolForm::failed, messages_, [this](const QString& problem) { messages_->warn(problem); });
   connect(&job_, &BackgroundJob::started, this, &ToolWindow::showState);
   connect(&job_, &BackgroundJob::stopping, this, &ToolWindow::showState);
@@ -266,7 +267,11 @@ void ToolWindow::start() {
   const auto made = std::make_shared<ToolResult>();
   result_ = made;
   if (form_->view()) tabs_->setCurrentWidget(form_->view());
-  job_.start([work = form_->work(), input, made](Monitor& monitor) { *made = work(input, monitor); });
+  job_.start([work = form_->work(), input, made](WorkerMonitor& monitor) {
+    ToolInput own = input;
+    own.show = [&monitor](const std::function<void()>& soFar) { monitor.show(soFar); };
+    *made = work(own, monitor);
+  });
 }
 
 // Shown until an option changes.
@@ -314,6 +319,11 @@ void ToolWindow::showNews(const WorkerMonitor::News& news) {
     Q_EMIT progressed();
   }
   for (const QString& line : news.messages) log_->appendPlainText(line);
+  try {
+    if (news.show) news.show();
+  } catch (const std::exception& failure) {  // a look that cannot be drawn costs itself alone
+    messages_->warn(QString::fromStdString(failure.what()));
+  }
 }
 
 void ToolWindow::conclude(const std::exception_ptr& error) {

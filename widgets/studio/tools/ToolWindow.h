@@ -52,6 +52,7 @@ class ToolWindow : public QWidget {
   void caseFound(const QString& path);
   void openCaseRequested(const QString& path);
   void resultsKept(const std::vector<std::pair<std::string, std::string>>& namedFiles);
+  void runRequested(const QString& file, const QString& name);
   void helpRequested();
   void ended();  // whether it was finished, cancelled or failed; its files are written
 

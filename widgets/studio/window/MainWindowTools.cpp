@@ -66,6 +66,10 @@ ToolWindow* MainWindow::tool(const QString& name) {
   connect(window, &ToolWindow::progressed, this, &MainWindow::showJobs);
   connect(window, &ToolWindow::helpRequested, this, &MainWindow::showHelp);
   connect(window, &ToolWindow::resultsKept, reader_, &RunReader::add);
+  connect(window, &ToolWindow::runRequested, this, [this](const QString& file, const QString& label) {
+    reader_->show(file.toStdString(), label.toStdString());
+    activateWindow(), raise();
+  });
   connect(window, &ToolWindow::openCaseRequested, this, &MainWindow::openCase);
   connect(window, &ToolWindow::caseFound, this, [this](const QString& path) {
     listCase(path);
