@@ -133,7 +133,7 @@ std::optional<growth::Forecast> forecastGrowth(const ForecastPlan& plan, Monitor
   studies::StudyOptions study;
   study.folder = plan.folder, study.jobs = plan.jobs, study.retryFailed = true;
   growth::GrowthOptions each = plan.growth;
-  each.checkpoint.clear(), each.finishedStage = {}, each.resume = false;
+  each.checkpoint.clear(), each.finishedStage = {}, each.soFar = {}, each.resume = false;
   each.untilDepth.reset();  // each to the end of the traffic
   each.threads = plan.threads;
   const auto grow = [&](const studies::StudyPoint& point, Monitor& own) -> std::optional<studies::FeatureRow> {

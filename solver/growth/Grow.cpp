@@ -148,6 +148,7 @@ bool Growing::stage(bool ground) {
   stage.ground = ground;
   rail_.stages.push_back(stage);
   if (options_.finishedStage) options_.finishedStage(stage);
+  if (options_.soFar) options_.soFar(result(false));
   return true;
 }
 
@@ -174,6 +175,7 @@ bool Growing::begin() {
       rail_ = std::move(*stored);
       resumed_ = true;
       traffic_.standOn(rail_);
+      if (options_.soFar) options_.soFar(result(false));
       return true;
     }
   rail_ = traffic_.newRail();

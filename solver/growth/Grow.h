@@ -27,6 +27,8 @@ struct Grinding {
   double depth = 0, tonnage = 0;  // [m] taken off, [kg] when
 };
 
+struct Growth;
+
 struct GrowthOptions {
   double tonnage = 0;                // [kg] to go to
   std::optional<double> untilDepth;  // [m] of the dip where it ends earlier
@@ -36,6 +38,8 @@ struct GrowthOptions {
   std::string checkpoint;            // path; empty: none
   bool resume = false;
   std::function<void(const Stage&)> finishedStage;  // on the computing thread
+  // The same with all stages so far, those of a checkpoint included; its copies cost memory and little time.
+  std::function<void(const Growth&)> soFar = {};
 };
 
 struct Growth {

@@ -196,6 +196,15 @@ std::unique_ptr<Figure> depthFigure(const Growth& growth, const Style& style) {
   return figure;
 }
 
+std::unique_ptr<Figure> dipLengthFigure(const Growth& growth, const Style& style) {
+  auto figure = std::make_unique<Figure>(QStringLiteral("growth_length"), style);
+  figure->xAxis->setLabel(QStringLiteral("Traffic [Mt]"));
+  figure->yAxis->setLabel(QStringLiteral("Length of the dip [mm]"));
+  addCurve(*figure, {tonnages(growth), valuesOf(growth, &Stage::length, millimetres), {}, 0, 1.5});
+  fitWithZero(*figure);
+  return figure;
+}
+
 std::unique_ptr<Figure> responseFigure(const Growth& growth, const Style& style) {
   auto figure = std::make_unique<Figure>(QStringLiteral("growth_response"), style);
   figure->xAxis->setLabel(QStringLiteral("Traffic [Mt]"));
@@ -240,6 +249,15 @@ std::unique_ptr<Figure> stageFigure(const Growth& growth, std::size_t stage, con
   addCurve(*figure, {x, profileOf(growth, stage),
                      QStringLiteral("after %1 Mt").arg(perMillion * growth.stages[stage].tonnage, 0, 'f', 2), 0, 1.5});
   return figure;
+}
+
+std::vector<std::unique_ptr<Figure>> growthCurves(const Growth& growth, double end, const Style& style) {
+  std::vector<std::unique_ptr<Figure>> curves;
+  curves.push_back(depthFigure(growth, style));
+  curves.push_back(dipLengthFigure(growth, style));
+  curves.push_back(responseFigure(growth, style));
+  for (const auto& figure : curves) figure->xAxis->setRange(0, std::max(perMillion * end, 1e-6));
+  return curves;
 }
 
 FigureSheet forecastFigure(const growth::Forecast& forecast, const std::string& stem, const Style& style) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "growth/Forecast.h"
 #include "growth/Grow.h"
@@ -17,6 +18,10 @@ FigureSheet growthFigure(const growth::Growth& growth, const std::string& stem, 
 
 // The profile along the running line at one stage, beside that at first.
 std::unique_ptr<Figure> stageFigure(const growth::Growth& growth, std::size_t stage, const Style& style);
+
+// Depth and length of the dip, and what the measuring wheelset feels, against tonnage from none to `end` [kg]: a growth
+// that has not come so far leaves the rest of the axes empty.
+std::vector<std::unique_ptr<Figure>> growthCurves(const growth::Growth& growth, double end, const Style& style);
 
 // STEM_forecast: the band of the dip's depth against tonnage.
 FigureSheet forecastFigure(const growth::Forecast& forecast, const std::string& stem, const Style& style);

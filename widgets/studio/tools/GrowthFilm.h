@@ -1,4 +1,5 @@
-// widgets/studio/tools/GrowthFilm.h - the rail's profile from stage to stage, by a slider or as a film.
+// widgets/studio/tools/GrowthFilm.h - the rail's profile from stage to stage, by a slider or as a film, and the curves
+// against tonnage; both grow while the growth is computed.
 #pragma once
 
 #include <QTimer>
@@ -8,6 +9,7 @@
 #include "growth/Grow.h"
 #include "plots/Style.h"
 
+class QGridLayout;
 class QLabel;
 class QPushButton;
 class QSlider;
@@ -24,11 +26,16 @@ class GrowthFilm : public QWidget {
  public:
   explicit GrowthFilm(const plots::Style& style, QWidget* parent = nullptr);
 
-  void showGrowth(std::shared_ptr<const growth::Growth> growth);  // at its last stage
+  // Of traffic up to `tonnage` [kg]; at its last stage.
+  void showGrowth(std::shared_ptr<const growth::Growth> growth, double tonnage);
+  // One that goes on: whoever looks at an earlier stage, or plays the film, is not disturbed.
+  void follow(std::shared_ptr<const growth::Growth> growth, double tonnage);
   void setStyle(const plots::Style& style);
 
  private:
+  void take(std::shared_ptr<const growth::Growth> growth, double tonnage, int stage);
   void draw();
+  void drawCurves();
   void play();
   void stop();
   void advance();
@@ -38,8 +45,10 @@ class GrowthFilm : public QWidget {
   QSlider* stage_;
   QPushButton* play_;
   QLabel* says_;
+  QWidget* figures_;
+  QGridLayout* grid_;  // of the figures: the profile, and the curves beside it
   QVBoxLayout* layout_;
-  plots::Figure* figure_ = nullptr;
+  double tonnage_ = 0;
   QTimer timer_;
 };
 

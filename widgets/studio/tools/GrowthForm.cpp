@@ -39,6 +39,12 @@ ToolResult computeGrowth(GrowthChoice choice, const ToolInput& input, Monitor& m
   options.checkpoint = growth::growthCheckpoint(input.folder, input.name);
   options.resume = true;
   options.finishedStage = [&](const growth::Stage& stage) { monitor.message(growth::stageLine(stage)); };
+  const double tonnage = options.tonnage;
+  options.soFar = [&input, tonnage, film = choice.film](const growth::Growth& growth) {
+    input.show([film, tonnage, soFar = std::make_shared<const growth::Growth>(growth)] {
+      if (film) film->follow(soFar, tonnage);
+    });
+  };
   const auto found = std::make_shared<const growth::Growth>(growth::grow(description, options, monitor));
   ToolResult result;
   result.complete = found->complete;
@@ -47,8 +53,8 @@ ToolResult computeGrowth(GrowthChoice choice, const ToolInput& input, Monitor& m
   result.files = growth::writeGrowthFiles(*found, input.folder, input.name);
   result.foundCase = result.files.back();
   if (found->complete) results::removeCheckpoint(options.checkpoint);
-  result.show = [found, film = choice.film] {
-    if (film) film->showGrowth(found);
+  result.show = [found, tonnage, film = choice.film] {
+    if (film) film->showGrowth(found, tonnage);
   };
   result.figures = [found, name = input.name](const plots::Style& style) {
     std::vector<plots::FigureSheet> sheets;
