@@ -8,13 +8,13 @@
 #include "commands/ComputeOptions.h"
 #include "commands/ExitCodes.h"
 #include "commands/FigureSheets.h"
-#include "commands/GrowForecast.h"
 #include "commands/Interrupt.h"
 #include "commands/OutputFolder.h"
 #include "commands/TerminalMonitor.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "core/FolderLock.h"
+#include "growth/ComputeForecast.h"
 #include "growth/GrowthFiles.h"
 #include "results/Checkpoint.h"
 #include "text/Numbers.h"
@@ -30,7 +30,7 @@ struct GrowCommandOptions {
   std::vector<std::string> grind;
   FigureChoice figures;
   growth::GrowthOptions growth;
-  ForecastRequest forecast;
+  growth::ForecastRequest forecast;
 };
 
 // "0.2@10Mt"
@@ -67,8 +67,8 @@ int cancelled(const std::string& checkpoint) {
   return kCancelled;
 }
 
-int writeForecast(const GrowCommandOptions& options, const ForecastPlan& plan, TerminalMonitor& monitor) {
-  const auto forecast = forecastGrowth(plan, monitor);
+int writeForecast(const GrowCommandOptions& options, const growth::ForecastPlan& plan, TerminalMonitor& monitor) {
+  const auto forecast = growth::forecastGrowth(plan, monitor);
   monitor.clearLine();
   if (!forecast) return cancelled(options.growth.checkpoint);
   const auto stem = stemOf(options.caseOptions);
@@ -92,10 +92,10 @@ int grow(GrowCommandOptions options) {
   const auto stem = stemOf(options.caseOptions);
   const auto& folder = options.folder;
   keepInputs(cases::filesOfCase(options.caseOptions.name, description), growth::growthFiles(folder, stem));
-  std::optional<ForecastPlan> plan;
+  std::optional<growth::ForecastPlan> plan;
   if (!options.forecast.uncertain.empty())
-    plan = forecastPlan(options.caseOptions.name, caseOverrides(options.caseOptions), options.forecast, growth,
-                        growth::forecastFiles(folder, stem).folder);
+    plan = growth::forecastPlan(options.caseOptions.name, caseOverrides(options.caseOptions), options.forecast, growth,
+                                growth::forecastFiles(folder, stem).folder);
   growth.checkpoint = growth::growthCheckpoint(folder, stem);
   const OutputFolder output(folder);
   const FolderLock owner(folder, "squat grow " + options.caseOptions.name);

@@ -6,20 +6,15 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDir>
-#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QProcess>
 #include <QPushButton>
-#include <QSettings>
-#include <QSlider>
 #include <QSpinBox>
 #include <QStandardPaths>
 #include <QTabWidget>
 #include <QTableView>
-#include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 #include <set>
@@ -29,6 +24,7 @@
 #include "case/RightSide.h"
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
+#include "gui/ToolsOfAWindow.h"
 #include "results/SignalTable.h"
 #include "simulation/RunCase.h"
 #include "studies/Jobs.h"
@@ -46,52 +42,6 @@
 
 namespace squat::studio {
 namespace {
-
-// A tenth of a second on the coarsest mesh.
-cases::CaseDescription shortCase() {
-  auto description = cases::loadCase("light-defect", {"tiny", {}});
-  for (const auto& [key, value] :
-       std::initializer_list<std::pair<const char*, const char*>>{{"motion.run_up", "0.06"}, {"motion.beyond", "0.07"}})
-    cases::setValue(description, key, value);
-  return description;
-}
-
-class Tools : public testing::Test {
- protected:
-  void SetUp() override {
-    QSettings().remove("tools");  // what another test has set
-    window_.document().startFrom(shortCase(), QString(), "short", false);
-    window_.show();
-  }
-  QString path(const QString& name) const { return folder_.filePath(name); }
-  QByteArray read(const QString& name) const {
-    QFile file(path(name));
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-  }
-  ToolWindow* open(const QString& name) {
-    window_.findChild<QAction*>(name + "Action")->trigger();
-    ToolWindow* tool = window_.tool(name);
-    EXPECT_TRUE(tool->isVisible());
-    tool->setFolder(path(name));
-    return tool;
-  }
-  static void finish(ToolWindow& tool) {
-    tool.start();
-    ASSERT_TRUE(tests::passes([&] { return !tool.isBusy(); }, tests::patience));
-  }
-  // The command on the case that the tool has kept, into a folder of its own. What it prints.
-  QString command(const QStringList& words) const {
-    QProcess program;
-    program.setWorkingDirectory(folder_.path());
-    program.start(SQUAT_PROGRAM, words);
-    EXPECT_TRUE(program.waitForFinished(tests::patience));
-    EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
-    return QString::fromUtf8(program.readAllStandardOutput());
-  }
-
-  QTemporaryDir folder_;
-  MainWindow window_{tests::services()};
-};
 
 TEST_F(Tools, aStudyIsThatOfTheCommand) {
   ToolWindow* study = open("study");
@@ -313,32 +263,6 @@ TEST_F(Tools, theReceptanceIsThatOfTheCommand) {
   EXPECT_GT(read("receptance/short-receptance.csv").size(), 10000);
   EXPECT_EQ(printed.section("\nwritten:", 0, 0), receptance->text());
   EXPECT_FALSE(read("receptance/short-receptance.svg").isEmpty());
-}
-
-TEST_F(Tools, theGrowthIsThatOfTheCommand) {
-  for (const auto& [key, value] : {std::pair{"growth.wheelsets", "1"}, {"motion.torque", "0"}})
-    window_.document().setParameter(key, value);
-  ToolWindow* growth = open("growth");
-  growth->form()->findChild<QDoubleSpinBox*>("tonnage")->setValue(0.05);
-  auto* stage = growth->findChild<QSlider*>("growthStage");
-  growth->start();
-  // Two stages, and so a film, are there before the end.
-  ASSERT_TRUE(tests::passes([&] { return stage->isEnabled() || !growth->isBusy(); }, tests::patience));
-  EXPECT_TRUE(growth->isComputing());
-  ASSERT_TRUE(tests::passes([&] { return !growth->isBusy(); }, tests::patience));
-  const QString printed = command(
-      {"grow", "growth/case/short.toml", "--mesh", "tiny", "--tonnage", "0.05", "-o", "command", "--no-figures"});
-  EXPECT_GT(read("growth/short-growth.csv").size(), 200);
-  EXPECT_EQ(read("growth/short-growth.csv"), read("command/short-growth.csv"));
-  EXPECT_EQ(printed.section("\nwritten:", 0, 0), growth->text());
-  EXPECT_FALSE(read("growth/short_growth.svg").isEmpty());
-  EXPECT_TRUE(growth->findChild<QPushButton*>("toolOpenCase")->isVisible());
-  // The film begins with the rail as it was, and ends with the last stage, which is shown at first.
-  ASSERT_GT(stage->maximum(), 1);
-  EXPECT_EQ(stage->value(), stage->maximum());
-  growth->findChild<QPushButton*>("growthPlay")->click();
-  EXPECT_EQ(stage->value(), 0);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return stage->value() == stage->maximum(); }, 20000));
 }
 
 // A key from a signal that the case itself has made, measured in the list; ten points or so.

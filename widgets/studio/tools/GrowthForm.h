@@ -5,10 +5,13 @@
 
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
+class QSpinBox;
 
 namespace squat::studio {
 
 class GrowthFilm;
+class KeyRows;
 class NumberBox;
 
 class GrowthForm : public ToolForm {
@@ -23,6 +26,8 @@ class GrowthForm : public ToolForm {
   ToolWork work() override;
   QWidget* view() const override;
   QString viewTitle() const override { return tr("Film"); }
+  QString missing() const override;
+  void showCase(const cases::CaseDescription& description) override;
   void setStyle(const plots::Style& style) override;
   void save(QSettings& settings) const override;
   void restore(const QSettings& settings) override;
@@ -30,10 +35,14 @@ class GrowthForm : public ToolForm {
  private:
   NumberBox* box(const QString& name, const QString& label, double low, double high, double value,
                  const QString& suffix);
+  void makeForecast(QFormLayout& layout);
+  void enableChosen();
 
   NumberBox *tonnage_, *until_, *depth_, *after_;
   QComboBox *steel_, *mesh_;
-  QCheckBox *stops_, *grinds_;
+  QCheckBox *stops_, *grinds_, *forecasts_;
+  KeyRows* uncertain_;
+  QSpinBox* growths_;
   GrowthFilm* film_;
 };
 

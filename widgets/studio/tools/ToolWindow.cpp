@@ -53,10 +53,18 @@ QPlainTextEdit* makeText(const QString& name, QWidget* parent) {
 
 // Options of the command by the names that they have here.
 std::exception_ptr inWordsOfTheWindow(const std::exception_ptr& error) {
-  static const std::map<std::string, std::string> names{
-      {"-o", "folder"},        {"--vary", "values"},        {"--sample", "points"}, {"--free", "unknown keys"},
-      {"--speed", "speed"},    {"--chainage", "begins at"}, {"axle", "axle boxes"}, {"--resume", "folder"},
-      {"--grind", "grinding"}, {"--tonnage", "traffic"}};
+  static const std::map<std::string, std::string> names{{"-o", "folder"},
+                                                        {"--vary", "values"},
+                                                        {"--sample", "points"},
+                                                        {"--free", "unknown keys"},
+                                                        {"--speed", "speed"},
+                                                        {"--chainage", "begins at"},
+                                                        {"axle", "axle boxes"},
+                                                        {"--resume", "folder"},
+                                                        {"--uncertain", "uncertain keys"},
+                                                        {"--growths", "number of growths"},
+                                                        {"--grind", "grinding"},
+                                                        {"--tonnage", "traffic"}};
   try {
     std::rethrow_exception(error);
   } catch (const CaseError& wrong) {

@@ -1,4 +1,4 @@
-#include "commands/GrowForecast.h"
+#include "growth/ComputeForecast.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,23 +13,23 @@
 #include "studies/Jobs.h"
 #include "text/Numbers.h"
 
-namespace squat::commands {
+namespace squat::growth {
 
 namespace {
 
-constexpr const char* passage = "limit reached after [Mt]";
+constexpr const char* limitColumn = "limit reached after [Mt]";
 
-std::string megatonnes(double kilograms) { return text::numberText(kilograms / growth::kilogramsInMegatonne); }
+std::string inMegatonnes(double kilograms) { return text::numberText(kilograms / kilogramsInMegatonne); }
 
-std::string nameAt(const growth::ForecastPoint& point) {
-  return "depth after " + megatonnes(point.tonnage) + " Mt" + (point.toBeGround ? ", to be ground [mm]" : " [mm]");
+std::string nameAt(const ForecastPoint& point) {
+  return "depth after " + inMegatonnes(point.tonnage) + " Mt" + (point.toBeGround ? ", to be ground [mm]" : " [mm]");
 }
 
-std::string workOf(const growth::GrowthOptions& growth) {
-  std::string work = "growth over " + megatonnes(growth.tonnage) + " Mt";
+std::string workOf(const GrowthOptions& growth) {
+  std::string work = "growth over " + inMegatonnes(growth.tonnage) + " Mt";
   for (const auto& grinding : growth.grindings)
-    work +=
-        ", " + text::numberText(1e3 * grinding.depth) + " mm ground off after " + megatonnes(grinding.tonnage) + " Mt";
+    work += ", " + text::numberText(1e3 * grinding.depth) + " mm ground off after " + inMegatonnes(grinding.tonnage) +
+            " Mt";
   if (growth.untilDepth) work += ", limit " + text::numberText(1e3 * *growth.untilDepth) + " mm";
   return work;
 }
@@ -41,7 +41,7 @@ std::string workOf(const growth::GrowthOptions& growth) {
     if (problem.key.rfind("--vary", 0) == 0) problem.key.replace(0, 6, "--uncertain");
     if (problem.key == "--sample") problem.key = "--growths";
     if (problem.advice.starts_with("The folder holds another study"))
-      problem.advice = "The folder holds another forecast: choose another --name, or remove that folder";
+      problem.advice = "The folder holds another forecast: choose another folder or name, or remove that folder";
   }
   throw CaseError(problems);
 }
@@ -51,7 +51,7 @@ cases::CaseDescription firstCase(const ForecastPlan& plan) {
   std::optional<CaseError> refused;
   for (const auto& point : studies::gridOf(plan.study)) {
     try {
-      return growth::growingCase(studies::caseAt(plan.study, plan.overrides, point));
+      return growingCase(studies::caseAt(plan.study, plan.overrides, point));
     } catch (const CaseError& error) {
       if (!refused) refused = error;
     }
@@ -80,37 +80,35 @@ void requireSameCase(const ForecastPlan& plan) {
   if (hash != plan.study.caseHash)
     throw CaseError({{"case", plan.study.caseName + " (" + hash + ")",
                       "the case that the forecast started with (" + plan.study.caseHash + ")",
-                      "The case was changed meanwhile: restore it, or choose another --name"}});
+                      "The case was changed meanwhile: restore it, or choose another folder or name"}});
 }
 
-studies::FeatureRow rowOf(const growth::Growth& grown, const growth::GrowthOptions& options) {
-  const auto points = growth::forecastPoints(options);
-  const auto depths = growth::depthsAt(grown, points);
+studies::FeatureRow rowOf(const Growth& grown, const GrowthOptions& options) {
+  const auto points = forecastPoints(options);
+  const auto depths = depthsAt(grown, points);
   studies::FeatureRow row;
   for (std::size_t i = 0; i < depths.size(); ++i) row.emplace_back(nameAt(points[i]), 1e3 * depths[i]);
   if (!options.untilDepth) return row;
-  const auto passed = growth::firstPassage(grown, *options.untilDepth);
-  row.emplace_back(passage, passed ? *passed / growth::kilogramsInMegatonne : std::numeric_limits<double>::quiet_NaN());
+  const auto passed = firstPassage(grown, *options.untilDepth);
+  row.emplace_back(limitColumn, passed ? *passed / kilogramsInMegatonne : std::numeric_limits<double>::quiet_NaN());
   return row;
 }
 
-growth::ForecastGrowth growthOf(const studies::FeatureRow& row, const std::vector<growth::ForecastPoint>& points) {
+ForecastGrowth growthOf(const studies::FeatureRow& row, const std::vector<ForecastPoint>& points) {
   const auto valueOf = [&](const std::string& name) {
     const auto found = std::find_if(row.begin(), row.end(), [&](const auto& feature) { return feature.first == name; });
     return found == row.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
   };
-  growth::ForecastGrowth grown;
+  ForecastGrowth grown;
   for (const auto& point : points) grown.depths.push_back(1e-3 * valueOf(nameAt(point)));
-  if (const double passed = valueOf(passage); !std::isnan(passed))
-    grown.passedAt = passed * growth::kilogramsInMegatonne;
+  if (const double passed = valueOf(limitColumn); !std::isnan(passed)) grown.passedAt = passed * kilogramsInMegatonne;
   return grown;
 }
 
 }  // namespace
 
 ForecastPlan forecastPlan(const std::string& caseName, const cases::CaseOverrides& overrides,
-                          const ForecastRequest& request, const growth::GrowthOptions& growth,
-                          const std::string& folder) {
+                          const ForecastRequest& request, const GrowthOptions& growth, const std::string& folder) {
   studies::StudyRequest points;
   points.variations = request.uncertain;
   points.sample = "latin-hypercube:" + std::to_string(request.growths);
@@ -127,29 +125,29 @@ ForecastPlan forecastPlan(const std::string& caseName, const cases::CaseOverride
   return plan;
 }
 
-std::optional<growth::Forecast> forecastGrowth(const ForecastPlan& plan, Monitor& monitor) {
+std::optional<Forecast> forecastGrowth(const ForecastPlan& plan, Monitor& monitor) {
   makeFolder(plan.folder);
   const FolderLock owner(plan.folder, "squat grow " + plan.study.caseName);
   studies::StudyOptions study;
   study.folder = plan.folder, study.jobs = plan.jobs, study.retryFailed = true;
-  growth::GrowthOptions each = plan.growth;
+  GrowthOptions each = plan.growth;
   each.checkpoint.clear(), each.finishedStage = {}, each.soFar = {}, each.resume = false;
   each.untilDepth.reset();  // each to the end of the traffic
   each.threads = plan.threads;
-  const auto grow = [&](const studies::StudyPoint& point, Monitor& own) -> std::optional<studies::FeatureRow> {
+  const auto growAt = [&](const studies::StudyPoint& point, Monitor& own) -> std::optional<studies::FeatureRow> {
     requireSameCase(plan);
     platform::giveBackFreeMemory();
-    const auto grown = growth::grow(studies::caseAt(plan.study, plan.overrides, point), each, own);
+    const auto grown = grow(studies::caseAt(plan.study, plan.overrides, point), each, own);
     if (!grown.complete) return {};
     return rowOf(grown, plan.growth);
   };
-  const auto table = studies::runStudy(plan.study, grow, study, monitor);
+  const auto table = studies::runStudy(plan.study, growAt, study, monitor);
   if (table.count(studies::RowState::open) > 0) return {};
-  const auto points = growth::forecastPoints(plan.growth);
-  std::vector<growth::ForecastGrowth> growths;
+  const auto points = forecastPoints(plan.growth);
+  std::vector<ForecastGrowth> growths;
   for (const auto& row : table.rows)
     if (row.state == studies::RowState::done) growths.push_back(growthOf(row.features, points));
-  return growth::forecastFrom(points, growths, plan.growth.untilDepth, table.rows.size());
+  return forecastFrom(points, growths, plan.growth.untilDepth, table.rows.size());
 }
 
-}  // namespace squat::commands
+}  // namespace squat::growth
