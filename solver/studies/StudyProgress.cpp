@@ -22,31 +22,31 @@ StudyProgress progressOf(const StudyTable& table) {
 void StudyReporter::begin(const StudyTable& table) {
   if (!watcher_) return;
   seen_ = progressOf(table);
-  tell();
+  notify();
 }
 
 void StudyReporter::beginRun(std::size_t row) {
   if (!watcher_) return;
   seen_.runs[row].state = RunState::computing;
   seen_.runs[row].fraction = 0;
-  tell();
+  notify();
 }
 
 void StudyReporter::progress(std::size_t row, double fraction) {
   if (!watcher_) return;
   seen_.runs[row].fraction = fraction;
-  if (std::chrono::steady_clock::now() - told_ >= kLookAgain) tell();
+  if (std::chrono::steady_clock::now() - notified_ >= kLookAgain) notify();
 }
 
 void StudyReporter::endRun(std::size_t row, const StudyRow& ended) {
   if (!watcher_) return;
   const auto state = ended.state == RowState::open ? RunState::cancelled : stateOf(ended.state);
   seen_.runs[row] = {std::make_shared<const StudyRow>(ended), state, 0};
-  tell();
+  notify();
 }
 
-void StudyReporter::tell() {
-  told_ = std::chrono::steady_clock::now();
+void StudyReporter::notify() {
+  notified_ = std::chrono::steady_clock::now();
   watcher_(seen_);
 }
 

@@ -31,7 +31,7 @@ using StudyWatcher = std::function<void(const StudyProgress&)>;
 // Of a table that nobody computes.
 StudyProgress progressOf(const StudyTable& table);
 
-// Tells a watcher what changes: the state of a run always, its fraction at most ten times a second. Called under a lock
+// Notifies a watcher what changes: the state of a run always, its fraction at most ten times a second. Called under a lock
 // of its owner. Does nothing without a watcher.
 class StudyReporter {
  public:
@@ -43,11 +43,11 @@ class StudyReporter {
   void endRun(std::size_t row, const StudyRow& ended);  // open: cancelled
 
  private:
-  void tell();
+  void notify();
 
   StudyWatcher watcher_;
   StudyProgress seen_;
-  std::chrono::steady_clock::time_point told_ = {};
+  std::chrono::steady_clock::time_point notified_ = {};
 };
 
 }  // namespace squat::studies
