@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/ElementaryFunctions.h"
 #include "core/Errors.h"
 #include "geometry/RailSection.h"
 #include "geometry/SectionMesh.h"
@@ -28,7 +29,7 @@ struct CrownArc {
   double height = 0, angle = 0;  // [m], [rad] of its slope
 };
 CrownArc crownOf(scenario::RailSection section, double y) {
-  return {geometry::crownHeight(section, y), std::atan(geometry::crownSlope(section, y))};
+  return {geometry::crownHeight(section, y), elementary::atan(geometry::crownSlope(section, y))};
 }
 
 }  // namespace
@@ -49,9 +50,9 @@ WheelSeat seatOf(const scenario::Scenario& d) {
   const double edge = profile.touchEnd;
   const auto crownAt = [&](double y) { return crownOf(d.rail.section, y); };
   WheelSeat seat;
-  seat.lean = std::atan(d.rail.inclination);
+  seat.lean = elementary::atan(d.rail.inclination);
   const double offset = d.motion.lateralOffset;
-  const double tread = std::atan(d.wheelset.cone) + crownAt(offset).angle, wanted = tread - seat.lean;
+  const double tread = elementary::atan(d.wheelset.cone) + crownAt(offset).angle, wanted = tread - seat.lean;
   if (wanted > crownAt(-edge).angle || wanted < crownAt(edge).angle)
     throw CaseError({{"wheelset.cone", std::to_string(d.wheelset.cone), "a slope that the crown has somewhere",
                       "Choose wheelset.cone near rail.inclination, and motion.lateral_offset smaller"}});
@@ -62,8 +63,8 @@ WheelSeat seatOf(const scenario::Scenario& d) {
   }
   seat.touchY = wanted == crownAt(offset).angle ? offset : 0.5 * (low + high);
   seat.crownRadius = std::abs(seat.touchY) <= profile.crownEnd ? profile.crownRadius : profile.shoulderRadius;
-  seat.treadSlope = std::tan(tread);
-  const double c = std::cos(seat.lean), s = std::sin(seat.lean);
+  seat.treadSlope = elementary::tan(tread);
+  const double c = elementary::cos(seat.lean), s = elementary::sin(seat.lean);
   const CrownArc under = crownAt(offset), touch = crownAt(seat.touchY);
   seat.wheelY = offset * c - under.height * s;
   seat.radius = d.wheelset.radius - seat.treadSlope * (seat.touchY * c - touch.height * s - seat.wheelY);
@@ -95,8 +96,8 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
   const WheelSeat seat = seatOf(scenario);
   const auto section = s.section = scenario.rail.section;
   s.radius = seat.radius, s.crownRadius = seat.crownRadius, s.touchY = seat.touchY;
-  s.railCosine = std::cos(seat.lean), s.railSine = std::sin(seat.lean);
-  s.treadCosine = 1 / std::hypot(1.0, seat.treadSlope), s.treadSine = seat.treadSlope * s.treadCosine;
+  s.railCosine = elementary::cos(seat.lean), s.railSine = elementary::sin(seat.lean);
+  s.treadCosine = 1 / elementary::hypot(1.0, seat.treadSlope), s.treadSine = seat.treadSlope * s.treadCosine;
   const auto treadRadius = [&](double y) { return scenario.wheelset.radius - seat.treadSlope * y; };
   s.railLine = runningLine(rail, section);
   s.treadLine = geometry::nodesWhere(
@@ -159,7 +160,7 @@ void layDefect(Surfaces& s, const elasticity::SweptBlock& rail, const scenario::
         const double z = geometry::crownHeight(s.section, y) + defect.height(x, y) + along[point % 2];
         s.pointX.push_back(x), s.pointY.push_back(y * s.railCosine - z * s.railSine);
         s.height.push_back(y * s.railSine + z * s.railCosine);
-        s.area.push_back((x1 - x0) * (y1 - y0) * std::hypot(1.0, geometry::crownSlope(s.section, y)) / 4);
+        s.area.push_back((x1 - x0) * (y1 - y0) * elementary::hypot(1.0, geometry::crownSlope(s.section, y)) / 4);
       }
   }
 }

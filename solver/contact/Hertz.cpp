@@ -4,6 +4,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/ElementaryFunctions.h"
+
 namespace squat::contact {
 
 namespace {
@@ -40,7 +42,7 @@ HertzContact hertzContact(double radiusX, double radiusY, double young, double p
   const auto [k, e] = ellipticIntegrals(m);
   // A = 1/(2 large) = p0/E* b/(e^2 a^2) (K - E) with p0 = 3 N / (2 pi a b).
   const double shape = m > 1e-8 ? (k - e) / m : pi / 4;
-  const double a = std::cbrt(3 * load * large * shape / (pi * modulus));
+  const double a = elementary::cbrt(3 * load * large * shape / (pi * modulus));
   const double b = ratio * a, peak = 3 * load / (2 * pi * a * b);
   return {alongX ? a : b, alongX ? b : a, peak, peak / modulus * b * k};
 }

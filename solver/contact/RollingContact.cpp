@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/ElementaryFunctions.h"
+
 namespace squat::contact {
 
 namespace {
@@ -150,7 +152,7 @@ PatchState rollContact(const ContactPair& pair, const ContactMotion& motion, Fri
     double* traction = &history.traction[2 * t.point];
     double along = traction[0] + law.tangentialPenalty * step * slip.along;
     double across = traction[1] + law.tangentialPenalty * step * slip.across;
-    const double limit = law.friction * pressure, size = std::hypot(along, across);
+    const double limit = law.friction * pressure, size = elementary::hypot(along, across);
     const bool slips = size > limit;
     if (slips) {
       const double back = size > 0 ? limit / size : 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/ElementaryFunctions.h"
+
 namespace squat::contact {
 
 double railValue(const elasticity::SweptBlock& rail, const TouchPoint& t, const double* state, int component) {
@@ -63,7 +65,7 @@ void meet(const Surfaces& s, const elasticity::SweptBlock& rim, int lateral, int
 
 // From the basis at the touch point's angle to that of the tread, whose normal leans back by the tilt.
 void lean(double slope, TouchPoint& t) {
-  const double size = std::hypot(1.0, slope), c = 1 / size, s = slope / size;
+  const double size = elementary::hypot(1.0, slope), c = 1 / size, s = slope / size;
   t.tiltCosine = c, t.tiltSine = s;
   const double sine = t.sine, cosine = t.cosine;
   t.sine = sine * c - cosine * s, t.cosine = cosine * c + sine * s;
@@ -147,7 +149,7 @@ bool evaluatePoint(const Surfaces& s, const elasticity::SweptBlock& rail, const 
 
   // The tread's material: first that whose reference position this is, then that whose displaced position it is.
   // Stations of rail and rim roll on each other, so the search starts next to its end.
-  double angle = std::asin(t.sine) + wheel.rotation;
+  double angle = elementary::asin(t.sine) + wheel.rotation;
   const int start = interval - s.rolledInterval;
   int k = intervalAt(rim, start < 0 || start >= rim.intervals ? 0 : start, angle);
   meet(s, rim, lateral, k, angle, 0, t);

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/ElementaryFunctions.h"
 #include "dynamics/RollingHalves.h"
 #include "model/BuildForceElements.h"
 
@@ -29,8 +30,8 @@ void fillGravity(const elasticity::SweptBlock& block, double gravity, const mode
   for (int s = 0; s < block.stationCount; ++s) {
     switch (block.kind) {
       case elasticity::SweepKind::alongX:
-        lines[block.stride + s] = -gravity * std::sin(block.lean);
-        lines[2 * block.stride + s] = -gravity * std::cos(block.lean);
+        lines[block.stride + s] = -gravity * elementary::sin(block.lean);
+        lines[2 * block.stride + s] = -gravity * elementary::cos(block.lean);
         break;
       case elasticity::SweepKind::alongY:
         lines[block.stride + s] = -gravity;
@@ -140,7 +141,7 @@ double Rolling::torqueAt(double time) const {
   const auto& m = model_.scenario.motion;
   const double full = m.tractionCoefficient != 0 ? m.tractionCoefficient * load_ * model_.surfaces.radius : m.torque;
   if (time >= m.torqueRamp) return full;
-  return full * 0.5 * (1 - std::cos(std::numbers::pi * time / m.torqueRamp));
+  return full * 0.5 * (1 - elementary::cos(std::numbers::pi * time / m.torqueRamp));
 }
 
 contact::WheelRolling Rolling::wheelRolling(const double* displaced) const {
@@ -234,8 +235,8 @@ void Rolling::turn(const Turning& all) {
   referenceAcceleration_ = all.outer / all.inertia;
   angularAcceleration_ = referenceAcceleration_ + all.inner / all.inertia;
   // The reference turns about its centre of mass.
-  const double share = -referenceAcceleration_ / w.turningMass, c = std::cos(state_.rotation),
-               s = std::sin(state_.rotation);
+  const double share = -referenceAcceleration_ / w.turningMass, c = elementary::cos(state_.rotation),
+               s = elementary::sin(state_.rotation);
   const model::PlaneVector drift{share * (c * w.leverX + s * w.leverZ), share * (c * w.leverZ - s * w.leverX)};
   const double g = model_.scenario.motion.gravity;
   fillGravity(model_.blocks[model_.body], g, &turned_, drift, acceleration_[model_.body]);
@@ -243,8 +244,8 @@ void Rolling::turn(const Turning& all) {
   const double rate = state_.angularVelocity + step_ * angularAcceleration_;
   for (const int b : {model_.rim, model_.body}) {
     blockSteps_[b].angularAcceleration = referenceAcceleration_;
-    blockSteps_[b].cosine = std::cos(rate * step_);
-    blockSteps_[b].sine = std::sin(rate * step_);
+    blockSteps_[b].cosine = elementary::cos(rate * step_);
+    blockSteps_[b].sine = elementary::sin(rate * step_);
   }
 }
 

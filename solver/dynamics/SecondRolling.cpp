@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/ElementaryFunctions.h"
+
 namespace squat::dynamics {
 
 namespace {
@@ -38,7 +40,7 @@ SecondRolling::SecondRolling(std::span<const model::Model* const> sides, double 
       own.omega2 = omega * omega, own.damping = isDamped ? 2 * d.wheelset.dampingRatio * omega : 0;
       own.contact = mode.contactAmplitude, own.box = mode.boxAmplitude;
       own.turn = (mode.harmonic - mode.stays) * rate;
-      own.cosine = std::cos(own.turn * step_), own.sine = std::sin(own.turn * step_);
+      own.cosine = elementary::cos(own.turn * step_), own.sine = elementary::sin(own.turn * step_);
       kind.modes.push_back(own);
     }
     motions_.push_back({0, 0, std::vector<Pair>(kind.modes.size())});
@@ -136,7 +138,7 @@ SecondVelocities SecondRolling::velocities(std::size_t side) const {
 
 void SecondRolling::start(std::span<const double* const> displaced, std::span<const double* const> velocity) {
   const auto& d = models_.front()->scenario;
-  const double x = placeAt(0), speed = d.motion.speed, hertz = models_.front()->second->hertz;
+  const double x = placeAt(0), speed = d.motion.speed;
   std::vector<const scenario::Scenario*> scenarios;
   for (const auto* model : models_) scenarios.push_back(&model->scenario);
   const auto loads = model::secondLoads(scenarios);
@@ -149,7 +151,7 @@ void SecondRolling::start(std::span<const double* const> displaced, std::span<co
     };
     constexpr double aside = 1e-3;  // [m] within an element
     const double slope = (heightAt(x + aside) - heightAt(x - aside)) / (2 * aside);
-    height.push_back(heightAt(x) - std::pow(loads[i] / hertz, 2.0 / 3));
+    height.push_back(heightAt(x) - models_.front()->second->approach(loads[i]));
     rate.push_back(seat.mean(velocity[i]) + speed * slope);
     sides_[i].force = loads[i];
     sides_[i].suspension = -d.motion.gravity * models_[i]->scenario.suspension.sprungMass;
@@ -279,9 +281,8 @@ double SecondRolling::workOfWeight() const {
 }
 
 double SecondRolling::contactEnergy() const {
-  const double hertz = models_.front()->second->hertz;
   double sum = 0;
-  for (const auto& side : sides_) sum += 0.4 * side.force * std::pow(side.force / hertz, 2.0 / 3);
+  for (const auto& side : sides_) sum += 0.4 * side.force * models_.front()->second->approach(side.force);
   return sum;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/DenseAlgebra.h"
+#include "core/ElementaryFunctions.h"
 #include "elasticity/SelectiveMassScaling.h"
 
 namespace squat::elasticity {
@@ -15,7 +16,9 @@ namespace {
 using Clusters = std::vector<std::vector<int>>;
 using DynamicVector = Eigen::VectorXd;
 
-double distance(const geometry::Point2& a, const geometry::Point2& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+double distance(const geometry::Point2& a, const geometry::Point2& b) {
+  return elementary::hypot(a[0] - b[0], a[1] - b[1]);
+}
 
 // For every node those that share a quad and stand within `reach`; none for nodes that stay alone.
 std::vector<std::vector<int>> closeNeighbours(const SweptBlock& block, const std::vector<unsigned char>& mayJoin,

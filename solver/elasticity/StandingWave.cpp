@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/ElementaryFunctions.h"
+
 namespace squat::elasticity {
 
 IntervalMatrices intervalMatrices(const SweptBlock& block, int run) {
@@ -21,7 +23,7 @@ IntervalMatrices intervalMatrices(const SweptBlock& block, int run) {
 }
 
 Eigen::MatrixXd standingWaveStiffness(const IntervalMatrices& interval, double half) {
-  const double c = std::cos(half), s = std::sin(half);
+  const double c = elementary::cos(half), s = elementary::sin(half);
   const Eigen::Vector3d forS(2 * s, 2 * c, 2 * c), forT(2 * c, -2 * s, -2 * s);
   const Eigen::Index nodes = interval.s.rows() / 3;
   const Eigen::VectorXd left = forS.replicate(nodes, 1), right = forT.replicate(nodes, 1);

@@ -5,6 +5,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/ElementaryFunctions.h"
+
 namespace squat::elasticity {
 
 namespace {
@@ -62,7 +64,7 @@ std::array<int, 2> middleAndFar(const geometry::SectionMesh& section) {
       const double cross = p[0] * q[1] - q[0] * p[1];
       area += cross / 2, b += cross * (p[0] + q[0]) / 6, c += cross * (p[1] + q[1]) / 6;
     }
-  const auto away = [&](const geometry::Point2& p) { return std::hypot(p[0] - b / area, p[1] - c / area); };
+  const auto away = [&](const geometry::Point2& p) { return elementary::hypot(p[0] - b / area, p[1] - c / area); };
   const auto [minimum, maximum] = std::minmax_element(section.nodes.begin(), section.nodes.end(),
                                                       [&](const auto& p, const auto& q) { return away(p) < away(q); });
   return {static_cast<int>(minimum - section.nodes.begin()), static_cast<int>(maximum - section.nodes.begin())};
@@ -111,7 +113,8 @@ void prepareBlock(SweptBlock& block) {
   block.positions = block.stations.positions();
   block.cosines.clear(), block.sines.clear();
   for (const double at : block.positions)
-    if (block.kind == SweepKind::aroundAxis) block.cosines.push_back(std::cos(at)), block.sines.push_back(std::sin(at));
+    if (block.kind == SweepKind::aroundAxis)
+      block.cosines.push_back(elementary::cos(at)), block.sines.push_back(elementary::sin(at));
   block.stride = (static_cast<std::size_t>(block.intervals) + 1 + 7) / 8 * 8;
   findPairs(block.section, block.rowStart, block.columns);
   block.order = sectionOrder(block.rowStart, block.columns, block.clusters);
@@ -141,20 +144,21 @@ void prepareBlock(SweptBlock& block) {
 }
 
 double massOfInterval(const SweptBlock& block, double length) {
-  return block.kind == SweepKind::aroundAxis ? std::sin(length) : length;
+  return block.kind == SweepKind::aroundAxis ? elementary::sin(length) : length;
 }
 
 Eigen::Matrix3d localBasis(const SweptBlock& block, double position) {
   Eigen::Matrix3d basis;
   switch (block.kind) {
     case SweepKind::alongX:
-      basis << 1, 0, 0, 0, std::cos(block.lean), -std::sin(block.lean), 0, std::sin(block.lean), std::cos(block.lean);
+      basis << 1, 0, 0, 0, elementary::cos(block.lean), -elementary::sin(block.lean), 0, elementary::sin(block.lean),
+          elementary::cos(block.lean);
       break;
     case SweepKind::alongY:
       basis << 0, 0, 1, 1, 0, 0, 0, 1, 0;
       break;
     case SweepKind::aroundAxis: {
-      const double c = std::cos(position), s = std::sin(position);
+      const double c = elementary::cos(position), s = elementary::sin(position);
       basis << c, s, 0, 0, 0, 1, s, -c, 0;
       break;
     }
@@ -183,7 +187,7 @@ Corners elementCorners(const SweptBlock& block, int quad, double length) {
     for (int side = 0; side < 2; ++side) {
       const double at = (side ? 0.5 : -0.5) * length;
       if (block.kind == SweepKind::aroundAxis)
-        corners[4 * side + i] = {p[0] * std::sin(at), p[0] * std::cos(at), p[1]};
+        corners[4 * side + i] = {p[0] * elementary::sin(at), p[0] * elementary::cos(at), p[1]};
       else
         corners[4 * side + i] = {at, p[0], p[1]};
     }
@@ -195,7 +199,7 @@ Matrix24 localToMiddle(const SweptBlock& block, double length) {
   Matrix24 rotation = Matrix24::Identity();
   if (block.kind != SweepKind::aroundAxis) return rotation;
   for (int side = 0; side < 2; ++side) {
-    const double at = (side ? 0.5 : -0.5) * length, c = std::cos(at), s = std::sin(at);
+    const double at = (side ? 0.5 : -0.5) * length, c = elementary::cos(at), s = elementary::sin(at);
     Eigen::Matrix3d turn;  // columns: e_alpha, e_r, e_y at the station in axes (tangential, radial, y) of the middle
     turn << c, s, 0, -s, c, 0, 0, 0, 1;
     for (int i = 0; i < 4; ++i) rotation.block<3, 3>(12 * side + 3 * i, 12 * side + 3 * i) = turn;

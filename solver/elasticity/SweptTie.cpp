@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "core/ElementaryFunctions.h"
+
 namespace squat::elasticity {
 
 namespace {
@@ -55,18 +57,19 @@ Location aroundArc(const SweptBlock& master, double at, double radius, double la
   int k = 0;
   while (k + 1 < master.intervals && master.positions[k + 1] <= at) ++k;
   const double angle = master.positions[k + 1] - master.positions[k], fromLeft = at - master.positions[k];
-  const double left = std::sin(angle - fromLeft), right = std::sin(fromLeft);  // weights up to a common factor
+  const double left = elementary::sin(angle - fromLeft),
+               right = elementary::sin(fromLeft);  // weights up to a common factor
   const double t = right / (left + right);
-  const double stretched = radius * (left + right) / std::sin(angle);
+  const double stretched = radius * (left + right) / elementary::sin(angle);
   // Turning from the master's basis at angle difference d = alpha(slave) - alpha(master): e_a(s) = c e_a(m) - ... so
   // u_a(s) = cos d u_a + sin d (-u_r) ... written for u_a = cos u_a(m) + sin u_b(m) with sin of the turn below.
   const double toLeft = fromLeft, toRight = fromLeft - angle;
   return {k,
           (k + 1) % master.intervals,
-          (1 - t) * std::cos(toLeft),
-          -(1 - t) * std::sin(toLeft),
-          t * std::cos(toRight),
-          -t * std::sin(toRight),
+          (1 - t) * elementary::cos(toLeft),
+          -(1 - t) * elementary::sin(toLeft),
+          t * elementary::cos(toRight),
+          -t * elementary::sin(toRight),
           1 - t,
           t,
           (stretched - radius) / layer};

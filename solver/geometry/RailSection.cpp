@@ -5,6 +5,8 @@
 #include <functional>
 #include <numbers>
 
+#include "core/ElementaryFunctions.h"
+
 namespace squat::geometry {
 
 namespace {
@@ -62,11 +64,11 @@ using Polyline = std::vector<Point2>;
 void addArc(Polyline& line, Point2 centre, double radius, double from, double to, int count = 64) {
   for (int i = line.empty() ? 0 : 1; i <= count; ++i) {
     const double angle = from + (to - from) * i / count;
-    line.push_back({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)});
+    line.push_back({centre[0] + radius * elementary::cos(angle), centre[1] + radius * elementary::sin(angle)});
   }
 }
 
-double angleOf(const Point2& centre, const Point2& p) { return std::atan2(p[1] - centre[1], p[0] - centre[0]); }
+double angleOf(const Point2& centre, const Point2& p) { return elementary::atan2(p[1] - centre[1], p[0] - centre[0]); }
 
 struct HeadArcs {
   Point2 crownCentre, shoulderCentre, cornerCentre;
@@ -76,15 +78,15 @@ struct HeadArcs {
 HeadArcs headArcs(const RailProfile& p) {
   HeadArcs arcs;
   arcs.crownCentre = {0, -p.crownRadius};
-  const double a1 = std::acos(p.crownEnd / p.crownRadius);
-  arcs.crownStop = {p.crownRadius * std::cos(a1), -p.crownRadius + p.crownRadius * std::sin(a1)};
-  arcs.shoulderCentre = {arcs.crownStop[0] - p.shoulderRadius * std::cos(a1),
-                         arcs.crownStop[1] - p.shoulderRadius * std::sin(a1)};
-  const double a2 = std::acos((p.shoulderEnd - arcs.shoulderCentre[0]) / p.shoulderRadius);
-  arcs.shoulderStop = {arcs.shoulderCentre[0] + p.shoulderRadius * std::cos(a2),
-                       arcs.shoulderCentre[1] + p.shoulderRadius * std::sin(a2)};
-  arcs.cornerCentre = {arcs.shoulderStop[0] - p.cornerRadius * std::cos(a2),
-                       arcs.shoulderStop[1] - p.cornerRadius * std::sin(a2)};
+  const double a1 = elementary::acos(p.crownEnd / p.crownRadius);
+  arcs.crownStop = {p.crownRadius * elementary::cos(a1), -p.crownRadius + p.crownRadius * elementary::sin(a1)};
+  arcs.shoulderCentre = {arcs.crownStop[0] - p.shoulderRadius * elementary::cos(a1),
+                         arcs.crownStop[1] - p.shoulderRadius * elementary::sin(a1)};
+  const double a2 = elementary::acos((p.shoulderEnd - arcs.shoulderCentre[0]) / p.shoulderRadius);
+  arcs.shoulderStop = {arcs.shoulderCentre[0] + p.shoulderRadius * elementary::cos(a2),
+                       arcs.shoulderCentre[1] + p.shoulderRadius * elementary::sin(a2)};
+  arcs.cornerCentre = {arcs.shoulderStop[0] - p.cornerRadius * elementary::cos(a2),
+                       arcs.shoulderStop[1] - p.cornerRadius * elementary::sin(a2)};
   return arcs;
 }
 
@@ -100,7 +102,7 @@ Fillet filletBetween(const RailProfile& p, double z0, double slope, double side,
   const auto centreAt = [&](double y) { return Point2{y, z0 + slope * y + side * r * norm}; };
   const auto excess = [&](double y) {
     const auto c = centreAt(y);
-    return std::hypot(c[0] - webCentre[0], c[1] - webCentre[1]) - (p.webRadius - r);
+    return elementary::hypot(c[0] - webCentre[0], c[1] - webCentre[1]) - (p.webRadius - r);
   };
   double low = p.webHalf, high = p.webHalf + 4 * r;  // excess falls from positive to negative with y
   for (int i = 0; i < 200; ++i) {
@@ -120,7 +122,7 @@ Fillet filletBetween(const RailProfile& p, double z0, double slope, double side,
 Polyline sample(const Polyline& line, const std::vector<double>& fractions) {
   std::vector<double> s(line.size(), 0);
   for (std::size_t i = 1; i < line.size(); ++i)
-    s[i] = s[i - 1] + std::hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]);
+    s[i] = s[i - 1] + elementary::hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]);
   Polyline points;
   for (const double fraction : fractions) {
     const double target = fraction * s.back();
@@ -148,7 +150,7 @@ std::vector<double> uniform(int count) {
 double lengthOf(const Polyline& line) {
   double length = 0;
   for (std::size_t i = 1; i < line.size(); ++i)
-    length += std::hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]);
+    length += elementary::hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]);
   return length;
 }
 
@@ -160,7 +162,7 @@ RailOutline railOutline(RailSection section) {
   const RailProfile& p = railProfile(section);
   RailOutline out;
   const HeadArcs arcs = headArcs(p);
-  const double quarter = std::acos(0.0);
+  const double quarter = elementary::acos(0.0);
   const Point2 sideStart{p.sideStartY, p.sideStartZ};
   const double cornerFrom = angleOf(arcs.cornerCentre, arcs.shoulderStop);
   const double cornerTo = angleOf(arcs.cornerCentre, sideStart);
@@ -224,7 +226,7 @@ SectionMesh railSectionMesh(RailSection section, const RailSectionSizes& sizes) 
 
   // Split the crown at the band edge: the arc-length fraction where y = band.
   const double crownLength = lengthOf(out.crown);
-  const double bandFraction = p.crownRadius * std::asin(band / p.crownRadius) / crownLength;
+  const double bandFraction = p.crownRadius * elementary::asin(band / p.crownRadius) / crownLength;
   Polyline inner, outer;
   for (const double s : uniform(columns)) inner.push_back(sample(out.crown, {s * bandFraction})[0]);
   inner.front() = {0, 0};

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/ElementaryFunctions.h"
+
 namespace squat::geometry {
 
 namespace {
@@ -12,7 +14,7 @@ double cross(const Point2& o, const Point2& a, const Point2& b) {
   return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
 }
 
-double distance(const Point2& a, const Point2& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+double distance(const Point2& a, const Point2& b) { return elementary::hypot(a[0] - b[0], a[1] - b[1]); }
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "contact/ContactSurfaces.h"
+#include "core/ElementaryFunctions.h"
 #include "core/Errors.h"
 #include "elasticity/SectionClusters.h"
 #include "geometry/RailSection.h"
@@ -111,7 +112,7 @@ void addSleepers(Model& model, int intervals) {
     sleeper.material = d.sleeper.material;
     sleeper.extent = extent;
     sleeper.origin = {model.sleeperPositions[i], 0,
-                      -geometry::railProfile(d.rail.section).height * std::cos(model.blocks[model.rail].lean)};
+                      -geometry::railProfile(d.rail.section).height * elementary::cos(model.blocks[model.rail].lean)};
     append(model, std::move(sleeper));
   }
 }

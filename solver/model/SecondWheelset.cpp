@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "contact/Hertz.h"
+#include "core/ElementaryFunctions.h"
 #include "geometry/Stations.h"
 #include "model/Model.h"
 
@@ -50,10 +51,15 @@ double spreadPotential(double t) {
   if (t <= -1) return 0;
   if (t >= 1) return t;
   constexpr double pi = std::numbers::pi;
-  return 0.25 * (t + 1) * (t + 1) - 0.5 * (1 + std::cos(pi * t)) / (pi * pi);
+  return 0.25 * (t + 1) * (t + 1) - 0.5 * (1 + elementary::cos(pi * t)) / (pi * pi);
 }
 
 }  // namespace
+
+double SecondWheelset::approach(double force) const {
+  const double root = elementary::cbrt(force / hertz);
+  return root * root;
+}
 
 SecondWheelset secondWheelset(const Model& model) {
   const auto& d = model.scenario;
@@ -66,7 +72,7 @@ SecondWheelset secondWheelset(const Model& model) {
   const double young = 2 * (1 - poisson * poisson) / (compliance(d.rail.material) + compliance(d.wheelset.material));
   const double load = d.motion.gravity * (d.wheelset.totalMass + d.suspension.sprungMass);
   const auto contact = contact::hertzContact(model.surfaces.radius, model.surfaces.crownRadius, young, poisson, load);
-  second.hertz = load / std::pow(contact.approach, 1.5);
+  second.hertz = load / (contact.approach * std::sqrt(contact.approach));
   second.halfLength = contact.halfAxisX;
   return second;
 }
@@ -120,7 +126,7 @@ void SecondRailSeat::moveTo(double x) {
 template <typename Work>
 void SecondRailSeat::forEach(const Work& work) const {
   const auto& rail = model_.blocks[model_.rail];
-  const double sine = std::sin(rail.lean), cosine = std::cos(rail.lean);
+  const double sine = elementary::sin(rail.lean), cosine = elementary::cos(rail.lean);
   for (const auto& [node, share] : nodes_)
     for (std::size_t i = 0; i < weight_.size(); ++i) {
       const int station = first_ + static_cast<int>(i);

@@ -26,10 +26,11 @@ struct SecondMotions {
 };
 
 struct SecondWheelset {
-  double offset = 0;      // [m] x from the first wheelset
-  double hertz = 0;       // [N/m^1.5] force = hertz approach^1.5
-  double halfLength = 0;  // [m] of the patch at rest
-  double spread = 0;      // [m] half of the stretch of rail that a wheel's force is spread over
+  double offset = 0;                    // [m] x from the first wheelset
+  double hertz = 0;                     // [N/m^1.5] force = hertz approach^1.5
+  double approach(double force) const;  // [m] of wheel and rail, by Hertz's spring
+  double halfLength = 0;                // [m] of the patch at rest
+  double spread = 0;                    // [m] half of the stretch of rail that a wheel's force is spread over
 };
 
 // Of the case of a model, whose rail has been meshed.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/ElementaryFunctions.h"
 #include "elasticity/SweptWork.h"
 
 namespace squat::model {
@@ -9,8 +10,8 @@ namespace squat::model {
 void turnStations(const elasticity::SweptBlock& body, double rotation, TurnedStations& turned) {
   turned.sine.resize(body.stationCount), turned.cosine.resize(body.stationCount);
   for (int s = 0; s < body.stationCount; ++s) {
-    turned.sine[s] = std::sin(body.positions[s] - rotation);
-    turned.cosine[s] = std::cos(body.positions[s] - rotation);
+    turned.sine[s] = elementary::sin(body.positions[s] - rotation);
+    turned.cosine[s] = elementary::cos(body.positions[s] - rotation);
   }
 }
 
@@ -98,7 +99,7 @@ std::vector<std::pair<std::size_t, double>> ringLateral(const Model& model, cons
 }
 
 void turnBases(const Model& model, double rotation, AlignedVector& state) {
-  const double c = std::cos(rotation), s = std::sin(rotation);
+  const double c = elementary::cos(rotation), s = elementary::sin(rotation);
   for (const int b : {model.rim, model.body}) {
     const auto& block = model.blocks[b];
     for (int n = 0; n < block.nodes; ++n) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/DenseAlgebra.h"
+#include "core/ElementaryFunctions.h"
 #include "model/WheelsetModes.h"
 
 namespace squat::model {
@@ -133,8 +134,8 @@ WheelsetDamping::WheelsetDamping(const Model& model, double step, Centre centre)
     for (int s = 0; s < block.stationCount; ++s) {
       blocks_[b].waves(s, 0) = 1;
       for (int n = 1; n <= harmonics; ++n) {
-        blocks_[b].waves(s, 2 * n - 1) = std::cos(n * block.positions[s]);
-        blocks_[b].waves(s, 2 * n) = std::sin(n * block.positions[s]);
+        blocks_[b].waves(s, 2 * n - 1) = elementary::cos(n * block.positions[s]);
+        blocks_[b].waves(s, 2 * n) = elementary::sin(n * block.positions[s]);
       }
     }
     for (const auto& p : block.section.nodes) locations[b].push_back(locate(shapes.section, p));
@@ -153,7 +154,7 @@ WheelsetDamping::WheelsetDamping(const Model& model, double step, Centre centre)
   const auto rigid = static_cast<Eigen::Index>(vectors_.size());
   for (const auto& m : shapes.modes) {
     addPair(vectorOf(m.mode.harmonic, m.shape, m.box));
-    const double taken = 1 - std::exp(-2 * w.dampingRatio * 2 * pi * m.mode.frequency * between);
+    const double taken = 1 - elementary::exp(-2 * w.dampingRatio * 2 * pi * m.mode.frequency * between);
     rate_.resize(vectors_.size() - static_cast<std::size_t>(rigid), taken);
     frequency_.resize(rate_.size(), m.mode.frequency);
   }
@@ -256,7 +257,7 @@ void WheelsetDamping::addMode(int mode, double amount, double* velocity) {
 
 double WheelsetDamping::apply(double rotation, double* velocity) {
   // The modes turn with the wheel: the box's velocity in axes that turn as well.
-  const double c = std::cos(rotation), s = std::sin(rotation);
+  const double c = elementary::cos(rotation), s = elementary::sin(rotation);
   double boxX = 0, boxZ = 0;
   if (model_.boxOnSpring()) {
     const double x = velocity[model_.boxX], z = velocity[model_.boxZ];

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/DenseAlgebra.h"
+#include "core/ElementaryFunctions.h"
 #include "elasticity/StandingWave.h"
 #include "geometry/WheelSection.h"
 #include "model/CentrePlane.h"
@@ -70,7 +71,7 @@ Lowest lowestPairs(const Eigen::MatrixXd& matrix, double limit) {
   for (Eigen::Index count = std::min<Eigen::Index>(40, size);; count = std::min(2 * count, size)) {
     Eigen::MatrixXd basis(size, count);
     for (Eigen::Index j = 0; j < count; ++j)
-      for (Eigen::Index i = 0; i < size; ++i) basis(i, j) = std::sin(1.0 + static_cast<double>(i * (2 * j + 3)));
+      for (Eigen::Index i = 0; i < size; ++i) basis(i, j) = elementary::sin(1.0 + static_cast<double>(i * (2 * j + 3)));
     Lowest found;
     Eigen::VectorXd before = Eigen::VectorXd::Zero(count);
     for (int k = 0; k < 60; ++k) {

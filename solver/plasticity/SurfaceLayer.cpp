@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "core/ElementaryFunctions.h"
 #include "plasticity/LayerKernel.h"
 #include "scenario/Track.h"
 
@@ -15,7 +16,7 @@ namespace {
 double distanceTo(const geometry::Point2& p, const geometry::Point2& a, const geometry::Point2& b) {
   const double x = b[0] - a[0], y = b[1] - a[1];
   const double t = std::clamp(((p[0] - a[0]) * x + (p[1] - a[1]) * y) / (x * x + y * y), 0.0, 1.0);
-  return std::hypot(p[0] - a[0] - t * x, p[1] - a[1] - t * y);
+  return elementary::hypot(p[0] - a[0] - t * x, p[1] - a[1] - t * y);
 }
 
 std::vector<int> quadsWithin(const elasticity::SweptBlock& rail, const std::vector<int>& surface, double depth) {

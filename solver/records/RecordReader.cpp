@@ -191,12 +191,15 @@ void RecordReader::judgeValues() {
       }
     if (count < 100 || column.unit != "m/s2") continue;
     const double mean = sum / count, rms = std::sqrt(squares / count);
+    // Of a short signal, as of one passage, the mean says nothing about gravity.
+    const double deviation = std::sqrt(std::max(0.0, rms * rms - mean * mean));
+    const bool meanIsKnown = deviation / std::sqrt(count) < 0.05 * column.factor;
     const auto note = [&](const std::string& what) {
       layout_.notes.push_back("'" + column.name + "' " + what + ": check its unit");
     };
-    if (column.factor == 1 && std::abs(std::abs(mean) - 1) < 0.05)
+    if (meanIsKnown && column.factor == 1 && std::abs(std::abs(mean) - 1) < 0.05)
       note("has a mean of " + text::roundedText(mean) + " m/s2, as gravity has in g");
-    else if (column.factor > 9 && std::abs(std::abs(mean) / column.factor - 9.81) < 0.3)
+    else if (meanIsKnown && column.factor > 9 && std::abs(std::abs(mean) / column.factor - 9.81) < 0.3)
       note("has a mean of " + text::roundedText(mean / column.factor) + " g, as gravity has in m/s2");
     else if (column.factor == 1 && rms > 0 && rms < 2)
       note("has an rms of " + text::roundedText(rms) + " m/s2, little for an axle box; it may be in g");

@@ -12,7 +12,7 @@ namespace squat::results {
 namespace {
 
 constexpr StateKind kKind{"squat-checkpoint", kCheckpointVersion, "a checkpoint",
-                          "start the run anew without --resume"};
+                          "start the run again without --resume"};
 
 }  // namespace
 

@@ -13,7 +13,7 @@ struct StateKind {
   const char* schema;  // "squat-checkpoint"
   int version;
   const char* name;       // "a checkpoint"
-  const char* insteadOf;  // what to do where the file cannot be used: "start the run anew without --resume"
+  const char* insteadOf;  // what to do where the file cannot be used: "start the run again without --resume"
 };
 
 // Puts the state under `path` whole or not at all, read back before the earlier file is replaced. Refuses a state with

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/ElementaryFunctions.h"
 #include "scenario/MeasuredProfile.h"
 
 namespace squat::scenario {
@@ -17,7 +18,7 @@ DefectShape shapeOf(const Defect& defect) { return defect.shape; }
 // Half a cosine from height a at s = 0 to b at s = length.
 HeightAndSlope halfCosine(double s, double length, double a, double b) {
   const double angle = pi * s / length;
-  return {a + (b - a) * 0.5 * (1 - std::cos(angle)), (b - a) * 0.5 * pi / length * std::sin(angle)};
+  return {a + (b - a) * 0.5 * (1 - elementary::cos(angle)), (b - a) * 0.5 * pi / length * elementary::sin(angle)};
 }
 
 HeightAndSlope cut(const Defect& defect, double x) {
@@ -32,7 +33,7 @@ HeightAndSlope cut(const Defect& defect, double x) {
 HeightAndSlope cosine(double length, double depth, double x) {
   if (std::abs(x) >= 0.5 * length) return {};
   const double k = 2 * pi / length;
-  return {-0.5 * depth * (1 + std::cos(k * x)), 0.5 * depth * k * std::sin(k * x)};
+  return {-0.5 * depth * (1 + elementary::cos(k * x)), 0.5 * depth * k * elementary::sin(k * x)};
 }
 
 HeightAndSlope wShape(const Defect& defect, double x) {
@@ -49,7 +50,7 @@ HeightAndSlope dipWithWave(const Defect& defect, double x) {
   if (s <= 0) return cosine(defect.length, defect.depth, x);
   if (s >= defect.waveCount * defect.waveLength) return {};
   const double k = 2 * pi / defect.waveLength;
-  return {-0.5 * defect.waveDepth * (1 - std::cos(k * s)), -0.5 * defect.waveDepth * k * std::sin(k * s)};
+  return {-0.5 * defect.waveDepth * (1 - elementary::cos(k * s)), -0.5 * defect.waveDepth * k * elementary::sin(k * s)};
 }
 
 }  // namespace

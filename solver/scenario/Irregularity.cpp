@@ -6,6 +6,8 @@
 #include <numbers>
 #include <random>
 
+#include "core/ElementaryFunctions.h"
+
 namespace squat::scenario {
 
 namespace {
@@ -114,7 +116,7 @@ void IrregularSurface::settle(double start) {
 double IrregularSurface::raw(double x) const {
   if (!curve_.empty()) return curve_.at(x).height;
   double height = 0;
-  for (const auto& h : harmonics_) height += h.amplitude * std::cos(h.wavenumber * x + h.phase);
+  for (const auto& h : harmonics_) height += h.amplitude * elementary::cos(h.wavenumber * x + h.phase);
   return height;
 }
 
@@ -122,7 +124,7 @@ double IrregularSurface::height(double x) const {
   if (isSmooth()) return 0;
   const double grown = std::clamp((x - start_ - patch) / fade, 0.0, 1.0);
   if (grown == 0) return 0;
-  return (raw(x) - atStart_) * 0.5 * (1 - std::cos(std::numbers::pi * grown));
+  return (raw(x) - atStart_) * 0.5 * (1 - elementary::cos(std::numbers::pi * grown));
 }
 
 }  // namespace squat::scenario

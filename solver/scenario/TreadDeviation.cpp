@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/ElementaryFunctions.h"
+
 namespace squat::scenario {
 
 namespace {
@@ -125,7 +127,7 @@ std::vector<ProfilePoint> rigidWheelPath(const DefectSurface& surface, const Tre
     double height = -radius;
     for (int k = -half; k <= half; ++k) {
       const double s = std::clamp(k * fine, -0.99 * radius, 0.99 * radius);
-      const double r = radius + curve.at(below + std::asin(s / radius)).height;
+      const double r = radius + curve.at(below + elementary::asin(s / radius)).height;
       height = std::max(height, surface.height(x + s, y) + std::sqrt(r * r - s * s) - radius);
     }
     path.push_back({x, height});

@@ -60,10 +60,10 @@ MovingPart fastestOfMesh(const dynamics::Rolling& first, std::size_t side) {
   return fastest;
 }
 
-// [m] Of wheel and rail, by Hertz's spring; 0 where there is no second wheelset.
+// [m] Of wheel and rail; 0 where there is no second wheelset.
 double approachOfSecond(const dynamics::Rolling& rolling) {
   if (!rolling.model().second) return 0;
-  return std::pow(rolling.view().second.force / rolling.model().second->hertz, 2.0 / 3);
+  return rolling.model().second->approach(rolling.view().second.force);
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ results::RunResult runCase(const cases::CaseDescription& description, const RunO
   const auto checkpoint = readMatchingCheckpoint(run);
   std::optional<StoredState> stored;
   if (checkpoint) {
-    stored.emplace(StoredState{*checkpoint, options.checkpointPath, "start the run anew without --resume"});
+    stored.emplace(StoredState{*checkpoint, options.checkpointPath, "start the run again without --resume"});
   } else if (options.warm) {
     stored.emplace(storedIn(*options.warm));
     warnOfOtherProcessor(run, stored->tree, "from a warm state of");

@@ -20,7 +20,7 @@ struct RunStart {
 struct StoredState {
   const results::ArrayTree& tree;
   std::string file;     // for messages
-  std::string instead;  // what to do where it does not fit: "start the run anew without --resume"
+  std::string instead;  // what to do where it does not fit: "start the run again without --resume"
 };
 
 // With the figures of mesh, equilibrium and modes. Loading throws FileError where they are missing or damaged, do not

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/ElementaryFunctions.h"
 #include "core/Errors.h"
 
 namespace squat::simulation {
@@ -13,7 +14,7 @@ namespace {
 // The nodes of the section closest to a point: one, or two on either side of it.
 std::vector<int> nearestNodes(const elasticity::SweptBlock& block, double first, double second) {
   std::vector<double> distances;
-  for (const auto& p : block.section.nodes) distances.push_back(std::hypot(p[0] - first, p[1] - second));
+  for (const auto& p : block.section.nodes) distances.push_back(elementary::hypot(p[0] - first, p[1] - second));
   const double minimum = *std::min_element(distances.begin(), distances.end());
   std::vector<int> nodes;
   for (std::size_t n = 0; n < distances.size(); ++n)

@@ -12,7 +12,7 @@ namespace squat::simulation {
 
 namespace {
 
-constexpr results::StateKind kKind{"squat-warm-state", 1, "a warm state", "make it anew with squat warm"};
+constexpr results::StateKind kKind{"squat-warm-state", 1, "a warm state", "make it again with squat warm"};
 
 cases::CaseDescription caseIn(const results::ArrayTree& state, const std::string& path) {
   const auto damaged = [&](const std::string& why) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/ElementaryFunctions.h"
 #include "core/Errors.h"
 
 namespace squat::statics {
@@ -75,7 +76,8 @@ CoarseSpace::CoarseSpace(const model::Model& model, const model::StaticOperator&
   for (const int b : {model.rim, model.body}) {
     const auto& block = model.blocks[b];
     for (int s = 0; s < block.stationCount; ++s)
-      cosine_[b].push_back(std::cos(block.positions[s])), sine_[b].push_back(std::sin(block.positions[s]));
+      cosine_[b].push_back(elementary::cos(block.positions[s])),
+          sine_[b].push_back(elementary::sin(block.positions[s]));
     for (const auto& p : block.section.nodes)
       rimShare_[b].push_back(std::clamp((p[0] - w.hubRadius) / (w.rimInnerRadius - w.hubRadius), 0.0, 1.0));
   }

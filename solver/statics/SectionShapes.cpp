@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/DenseAlgebra.h"
+#include "core/ElementaryFunctions.h"
 #include "core/Errors.h"
 
 namespace squat::statics {
@@ -71,7 +72,7 @@ std::vector<SectionShape> softestShapes(const elasticity::SweptBlock& block, int
                    0, block.name);
   Eigen::MatrixXd basis(size, width);  // M^(1/2) phi
   for (Eigen::Index j = 0; j < width; ++j)
-    for (Eigen::Index i = 0; i < size; ++i) basis(i, j) = std::sin(1.0 + static_cast<double>(i * (2 * j + 3)));
+    for (Eigen::Index i = 0; i < size; ++i) basis(i, j) = elementary::sin(1.0 + static_cast<double>(i * (2 * j + 3)));
   for (int round = 0; round < rounds; ++round) {
     basis = factor.solve(root.asDiagonal() * basis).eval();
     const Eigen::MatrixXd q = algebra::orthonormalColumns(root.asDiagonal() * basis);

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "core/ElementaryFunctions.h"
+
 namespace squat::statics {
 
 void addVerticalMotion(const model::Model& model, double rotation, double upwards, double* state) {
@@ -42,7 +44,7 @@ void addRoll(const model::Model& model, double rotation, double wheelUpwards, do
 
 double verticalOfRailSection(const model::Model& model, const AlignedVector& state, int station) {
   const auto& rail = model.blocks[model.rail];
-  const double sine = std::sin(rail.lean), cosine = std::cos(rail.lean);
+  const double sine = elementary::sin(rail.lean), cosine = elementary::cos(rail.lean);
   double sum = 0, mass = 0;
   for (int n = 0; n < rail.nodes; ++n) {
     const double m = model.mass[model.rail][n * rail.stride + station];

@@ -31,8 +31,8 @@ using StudyWatcher = std::function<void(const StudyProgress&)>;
 // Of a table that nobody computes.
 StudyProgress progressOf(const StudyTable& table);
 
-// Notifies a watcher what changes: the state of a run always, its fraction at most ten times a second. Called under a lock
-// of its owner. Does nothing without a watcher.
+// Notifies a watcher what changes: the state of a run always, its fraction at most ten times a second. Called under a
+// lock of its owner. Does nothing without a watcher.
 class StudyReporter {
  public:
   explicit StudyReporter(StudyWatcher watcher) : watcher_(std::move(watcher)) {}

@@ -202,10 +202,10 @@ TEST(BadRecord, unitsThatAreNoAcceleration) {
 }
 
 TEST(BadRecord, valuesThatLookLikeAnotherUnit) {
-  const auto notes = [](const char* header, double mean) {
+  const auto notes = [](const char* header, double mean, double amplitude = 0.3) {
     std::string content = header;
     for (int i = 0; i < 300; ++i)
-      content += std::to_string(i) + "e-4," + std::to_string(mean + (i % 2 ? 0.3 : -0.3)) + "\n";
+      content += std::to_string(i) + "e-4," + std::to_string(mean + (i % 2 ? amplitude : -amplitude)) + "\n";
     const TemporaryFile file(content);
     RecordOptions options;
     options.columns.signalUnit = "m/s2";
@@ -215,6 +215,8 @@ TEST(BadRecord, valuesThatLookLikeAnotherUnit) {
   EXPECT_THAT(notes("time [s],aba [m/s2]\n", 1.0), ::testing::Contains(HasSubstr("as gravity has in g")));
   EXPECT_THAT(notes("time [s],aba [g]\n", 9.8), ::testing::Contains(HasSubstr("as gravity has in m/s2")));
   EXPECT_THAT(notes("time [s],aba [m/s2]\n", 50.0), IsEmpty());
+  // 300 values of 30 m/s2: their mean is known to 1.7 m/s2 and says nothing about gravity.
+  EXPECT_THAT(notes("time [s],aba [m/s2]\n", 1.0, 30), IsEmpty());
 }
 
 TEST(BadRecord, swappedCoordinatesAndAxes) {

@@ -50,6 +50,20 @@ TEST(Compatibility, ResultOf020) {
   EXPECT_EQ(result.modes.at(1).frequency, 500);
 }
 
+// As the writer of 0.3.0 wrote it, with its features.
+TEST(Compatibility, ResultOf030) {
+  const auto result = readResult(SQUAT_SOURCE_DIR "/tests/results/frozen/squat-result-1-of-0.3.0.h5");
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(result.codeVersion, "0.3.0");
+  EXPECT_EQ(result.commit, "d6437c1ea2e0");
+  EXPECT_EQ(result.features.at(0).value, 110.25);
+  EXPECT_EQ(result.time.at(4), 4 / 25000.0);
+  EXPECT_EQ(result.signals.at(1).name, "aba");
+  EXPECT_EQ(result.permanent.height.at(2), -2e-6);
+  EXPECT_EQ(result.patches.at(0).slipping.at(1), 1);
+  EXPECT_EQ(result.modes.at(1).frequency, 500);
+}
+
 // Within one schema a newer program may add datasets: the rest is read, and the reader says what it leaves out. A
 // signal or a number in a known list is no such thing.
 TEST(Compatibility, WhatANewerProgramHasAddedIsNamed) {
@@ -67,7 +81,7 @@ TEST(Compatibility, WhatANewerProgramHasAddedIsNamed) {
 
   writeResult(folder / "own.h5", tests::sampleResult());
   EXPECT_EQ(readResult(folder / "own.h5").notRead, "");
-  for (const char* frozen : {"squat-result-1.h5", "squat-result-1-of-0.2.0.h5"})
+  for (const char* frozen : {"squat-result-1.h5", "squat-result-1-of-0.2.0.h5", "squat-result-1-of-0.3.0.h5"})
     EXPECT_EQ(readResult(SQUAT_SOURCE_DIR "/tests/results/frozen/" + std::string(frozen)).notRead, "") << frozen;
 }
 

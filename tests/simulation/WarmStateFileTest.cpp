@@ -133,7 +133,7 @@ TEST(WarmStateFile, ForeignAndOldOnesAreRefusedByName) {
 
 // A file may be anybody's: what does not fit the model is refused before it is taken, with what to do.
 TEST(WarmStateFile, ArraysThatDoNotFitAreRefused) {
-  const auto advice = HasSubstr("Make it anew with squat warm");
+  const auto advice = HasSubstr("Make it again with squat warm");
   EXPECT_THAT(refusalOf([](auto& tree) { dropLast(tree, "/rolling/velocity"); }),
               AllOf(HasSubstr("/rolling/velocity"), HasSubstr("squat warm")));
   EXPECT_THAT(refusalOf([](auto& tree) { valuesIn(tree, "/rolling/scalars")[0] = 1e12; }), HasSubstr("beyond the end"));

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
+
+#include "core/platform/posix/System.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define SQUAT_SHADOW_MEMORY 1
@@ -19,20 +20,13 @@ namespace squat::platform {
 
 namespace {
 
-void limit(int resource, rlim_t maximum) {
+// The resources are numbers in one library and names in another.
+template <typename Resource>
+void limit(Resource resource, rlim_t maximum) {
   rlimit now{};
-  if (::getrlimit(static_cast<__rlimit_resource>(resource), &now) != 0) return;
+  if (::getrlimit(resource, &now) != 0) return;
   now.rlim_cur = now.rlim_max == RLIM_INFINITY ? maximum : std::min(maximum, now.rlim_max);
-  ::setrlimit(static_cast<__rlimit_resource>(resource), &now);
-}
-
-[[maybe_unused]] std::size_t addressSpaceNow() {
-  unsigned long pages = 0;
-  if (FILE* file = std::fopen("/proc/self/statm", "r")) {
-    if (std::fscanf(file, "%lu", &pages) != 1) pages = 0;
-    std::fclose(file);
-  }
-  return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  ::setrlimit(resource, &now);
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <initializer_list>
 
+#include "core/platform/posix/System.h"
+
 namespace squat::platform {
 
 namespace {
@@ -33,16 +35,22 @@ int spawn(const std::string& program, int channel, pid_t& process) {
   resetSignals(attributes);
   std::string name = program;
   char* words[] = {name.data(), nullptr};
-  const int error = ::posix_spawn(&process, program.c_str(), &actions, &attributes, words, environ);
+  const int error = ::posix_spawn(&process, program.c_str(), &actions, &attributes, words, environmentOfProcess());
   ::posix_spawnattr_destroy(&attributes);
   ::posix_spawn_file_actions_destroy(&actions);
   return error;
 }
 
+#if defined(MSG_NOSIGNAL)
+constexpr int noSignal = MSG_NOSIGNAL;
+#else
+constexpr int noSignal = 0;  // the socket itself is marked (pairOfSockets)
+#endif
+
 // To a child that has died nothing can be sent; receive() will see that.
 void sendAll(int channel, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
-    const auto sent = ::send(channel, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    const auto sent = ::send(channel, bytes.data(), bytes.size(), noSignal);
     if (sent < 0 && errno == EINTR) continue;
     if (sent <= 0) break;
     bytes = bytes.subspan(static_cast<std::size_t>(sent));
@@ -55,7 +63,7 @@ void sendAll(int channel, std::span<const std::byte> bytes) {
 // A socket, since writing to a pipe whose reader has died would end this process.
 std::error_code ChildProgram::start(const std::filesystem::path& program, std::span<const std::byte> question) {
   int ends[2] = {-1, -1};
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) return {errno, std::generic_category()};
+  if (const int error = pairOfSockets(ends); error != 0) return {error, std::generic_category()};
   pid_t process = -1;
   const int error = spawn(program.string(), ends[1], process);
   ::close(ends[1]);

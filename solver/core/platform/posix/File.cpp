@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <filesystem>
 
+#include "core/platform/posix/System.h"
+
 namespace squat::platform {
 
 namespace {
@@ -66,7 +68,7 @@ std::error_code File::write(std::span<const std::byte> bytes) {
   return {};
 }
 
-std::error_code File::flush() { return ::fsync(number_) == 0 ? std::error_code() : lastError(); }
+std::error_code File::flush() { return flushToDisk(number_) == 0 ? std::error_code() : lastError(); }
 
 std::error_code File::close() {
   const int result = ::close(number_);
@@ -83,7 +85,7 @@ std::error_code rename(const std::string& from, const std::string& to) {
 void flushFolder(const std::string& folder) {
   const int number = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (number < 0) return;
-  ::fsync(number);
+  flushToDisk(number);
   ::close(number);
 }
 

@@ -11,6 +11,8 @@
 #include <thread>
 #include <utility>
 
+#include "core/platform/posix/System.h"
+
 namespace squat::platform {
 namespace {
 
@@ -74,7 +76,7 @@ bool FileLock::write(const std::string& text) {
   written_ = text.substr(0, text.find_last_not_of('\n') + 1);
   // The new text first, so that a reader never finds the file empty.
   const bool isWritten = ::pwrite(file_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
-  return isWritten && ::ftruncate(file_, static_cast<off_t>(text.size())) == 0 && ::fdatasync(file_) == 0;
+  return isWritten && ::ftruncate(file_, static_cast<off_t>(text.size())) == 0 && flushToDisk(file_) == 0;
 }
 
 }  // namespace squat::platform

@@ -5,35 +5,10 @@
 
 #include <array>
 #include <cerrno>
-#include <fstream>
-#include <sstream>
+
+#include "core/platform/posix/System.h"
 
 namespace squat::platform {
-
-namespace {
-
-std::string firstLine(const std::string& path) {
-  std::ifstream file(path);
-  std::string line;
-  std::getline(file, line);
-  return line;
-}
-
-// Empty where no such process runs.
-std::string identityOf(const std::string& process) {
-  constexpr std::size_t state = 0, start = 19;                       // of the fields behind the name
-  const std::string stat = firstLine("/proc/" + process + "/stat");  // 1234 (its name) S ...
-  const auto name = stat.rfind(')');
-  if (name == std::string::npos) return {};
-  std::istringstream rest(stat.substr(name + 1));
-  std::array<std::string, start + 1> fields;
-  for (auto& field : fields)
-    if (!(rest >> field)) return {};
-  if (fields[state] == "Z" || fields[state] == "X") return {};  // has ended; nobody has asked yet how
-  return process + "-" + fields[start] + "-" + firstLine("/proc/sys/kernel/random/boot_id").substr(0, 8);
-}
-
-}  // namespace
 
 long processNumber() { return ::getpid(); }
 

@@ -27,11 +27,7 @@ double peakMemory() {
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-void wishLargePages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes) {
-#if defined(__linux__)
-  ::madvise(begin, bytes, MADV_HUGEPAGE);
-#endif
-}
+void wishLargePages(void* begin, std::size_t bytes) { ::madvise(begin, bytes, MADV_HUGEPAGE); }
 
 void keepMemorySteady() {
 #if defined(__GLIBC__)
