@@ -79,10 +79,12 @@ int inspect(const InspectOptions& options) {
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr);
   auto all = nlohmann::ordered_json::array();
+  bool areRecords = true;
   for (const auto& file : options.files) {
     const auto seen = records::inspectRecord(recordFile(file), read, monitor);
     monitor.clearLine();
     if (seen.cancelled) return kCancelled;
+    areRecords = areRecords && seen.refusal.empty();
     if (options.json)
       all.push_back(inspectionJson(seen));
     else
@@ -90,7 +92,7 @@ int inspect(const InspectOptions& options) {
   }
   if (options.json)
     std::printf("%s\n", all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
-  return kDone;
+  return areRecords ? kDone : kFileWrong;
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ constexpr std::array<double, N> reciprocalFactorials(int first, int step, int si
   }
   return series;
 }
-constexpr auto sineSeries = reciprocalFactorials<8>(3, 2, -1);     // -1/3!, 1/5!, ...
-constexpr auto cosineSeries = reciprocalFactorials<8>(4, 2, +1);   // 1/4!, ..., the signs below
+constexpr auto sineSeries = reciprocalFactorials<8>(3, 2, -1);    // -1/3!, 1/5!, ...
+constexpr auto cosineSeries = reciprocalFactorials<8>(4, 2, +1);  // 1/4!, ..., the signs below
 constexpr auto exponentialSeries = reciprocalFactorials<13>(2, 1, +1);
 
 // asin x = x + x^3 (1/6 + 3/40 x^2 + ...), terms of (2n)! / (4^n n!^2 (2n + 1)).
@@ -146,7 +146,8 @@ double atan(double x) {
 
 double atan2(double y, double x) {
   if (x == 0 && y == 0) return std::atan2(y, x);
-  if (std::abs(y) > std::abs(x)) return (y > 0 ? 1 : -1) * halfPi.first - (atan(x / y) - (y > 0 ? 1 : -1) * halfPi.second);
+  if (std::abs(y) > std::abs(x))
+    return (y > 0 ? 1 : -1) * halfPi.first - (atan(x / y) - (y > 0 ? 1 : -1) * halfPi.second);
   if (x > 0) return atan(y / x);
   const double side = std::signbit(y) ? -1 : 1;
   return 2 * side * halfPi.first + (atan(y / x) + 2 * side * halfPi.second);
@@ -166,7 +167,7 @@ double cbrt(double x) {
   int exponent = 0;
   const double size = std::frexp(std::abs(x), &exponent);  // 0.5 to 1
   const int third = static_cast<int>(std::floor(exponent / 3.0)), left = exponent - 3 * third;
-  const double scaled = std::ldexp(size, left);  // 0.5 to 4
+  const double scaled = std::ldexp(size, left);                // 0.5 to 4
   double root = 0.6 + 0.35 * scaled - 0.03 * scaled * scaled;  // within 10 %; Newton's error becomes its square
   for (int i = 0; i < 5; ++i) root -= (root - scaled / (root * root)) / 3;
   return std::ldexp(x < 0 ? -root : root, third);

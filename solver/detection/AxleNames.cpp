@@ -87,4 +87,13 @@ AxleNames axleNamesFromLine(const std::string& line) {
   return names;
 }
 
+std::string quotedAxleName(const std::string& name) {
+  const bool isPlain =
+      !name.empty() && name != "none" && name.find_first_of(",;\"") == std::string::npos && text::trimmed(name) == name;
+  if (isPlain) return name;
+  std::string quoted = "\"";
+  for (const char c : name) quoted += c == '"' ? std::string(2, c) : std::string(1, c);
+  return quoted + '"';
+}
+
 }  // namespace squat::detection

@@ -5,7 +5,6 @@
 #include <map>
 
 #include "core/Errors.h"
-#include "text/Csv.h"
 #include "text/Text.h"
 
 namespace squat::detection {
@@ -70,7 +69,7 @@ std::size_t channelOf(const records::RecordLayout& layout, const std::string& na
   std::string all;
   for (std::size_t c = 0; c < layout.channels.size(); ++c) {
     if (layout.channels[c].name == name) return c;
-    all += (all.empty() ? "" : ", ") + text::csvField(layout.channels[c].name);  // as they are to be given
+    all += (all.empty() ? "" : ", ") + quotedAxleName(layout.channels[c].name);
   }
   throw FileError(layout.path, "", "has no channel '" + name + "', which is named as an axle box",
                   "Its channels: " + all);

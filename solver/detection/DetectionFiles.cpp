@@ -150,6 +150,7 @@ Json jsonOf(const DetectionReport& report, const CombinedEvent& combined) {
                          rounded(1e3 * judged.lengthHigh, 1)};
     json["depth_mm"] = {rounded(1e3 * judged.depth, 1e-3), rounded(1e3 * judged.depthLow, 1e-3),
                         rounded(1e3 * judged.depthHigh, 1e-3)};
+    json["impact_mm"] = rounded(1e3 * judged.offset, 1);
   }
   if (std::isfinite(event.latitude)) json["latitude_deg"] = event.latitude, json["longitude_deg"] = event.longitude;
   json["extent_m"] = rounded(extentOf(event), 0.01);

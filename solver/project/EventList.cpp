@@ -46,6 +46,8 @@ ListedEvent eventIn(const JsonNode& node, const std::vector<std::string>& record
   };
   take("length_mm", event.length, event.lengthLow, event.lengthHigh);
   take("depth_mm", event.depth, event.depthLow, event.depthHigh);
+  if (node.has("impact_mm"))  // older lists do not say it
+    event.impact = 1e-3 * node.at("impact_mm").number(-largestNumber, largestNumber);
   if (!node.has("severities")) return event;
   const JsonNode severities = node.at("severities");
   event.severities = {severities.at("light").number(0, 1), severities.at("moderate").number(0, 1),

@@ -20,6 +20,7 @@ struct ListedEvent {
   // [m] of a squat, with their 90 % ranges.
   double length = 0, lengthLow = 0, lengthHigh = 0;
   double depth = 0, depthLow = 0, depthHigh = 0;
+  double impact = 0;                   // [m] from the deepest point of a squat, in the direction of travel, to `time`
   std::array<double, 3> severities{};  // probability of light, moderate, severe; zeros: an older list has none
   std::string side;                    // "left", "right", "both" of a wheelset with two channels; else empty
   double sideSureness = 0;             // 0..1

@@ -14,7 +14,8 @@ namespace squat::arch {
 namespace {
 
 std::vector<std::string> functionsOfTheSystem(const std::string& code) {
-  static const std::regex call(R"(std::(sin|cos|tan|sinh|cosh|tanh|asin|acos|atan|atan2|exp|exp2|expm1|cbrt|hypot|polar)\s*\()");
+  static const std::regex call(
+      R"(std::(sin|cos|tan|sinh|cosh|tanh|asin|acos|atan|atan2|exp|exp2|expm1|cbrt|hypot|polar)\s*\()");
   std::vector<std::string> found;
   for (std::sregex_iterator i(code.begin(), code.end(), call), end; i != end; ++i) found.push_back((*i)[1]);
   return found;

@@ -47,11 +47,11 @@ struct Row {
 // What the header promises.
 TEST(ElementaryFunctions, AreAsExactAsTheySay) {
   const Row rows[] = {
-      {"sin", elementary::sin, std::sin, -10, 10, 1},       {"far sin", elementary::sin, std::sin, -1e6, 1e6, 1},
-      {"cos", elementary::cos, std::cos, -10, 10, 1},       {"far cos", elementary::cos, std::cos, -1e6, 1e6, 1},
-      {"tan", elementary::tan, std::tan, -10, 10, 3},       {"asin", elementary::asin, std::asin, -1, 1, 1},
-      {"acos", elementary::acos, std::acos, -1, 1, 3},      {"atan", elementary::atan, std::atan, -20, 20, 3},
-      {"exp", elementary::exp, std::exp, -50, 50, 1},       {"far exp", elementary::exp, std::exp, -690, 690, 1},
+      {"sin", elementary::sin, std::sin, -10, 10, 1},      {"far sin", elementary::sin, std::sin, -1e6, 1e6, 1},
+      {"cos", elementary::cos, std::cos, -10, 10, 1},      {"far cos", elementary::cos, std::cos, -1e6, 1e6, 1},
+      {"tan", elementary::tan, std::tan, -10, 10, 3},      {"asin", elementary::asin, std::asin, -1, 1, 1},
+      {"acos", elementary::acos, std::acos, -1, 1, 3},     {"atan", elementary::atan, std::atan, -20, 20, 3},
+      {"exp", elementary::exp, std::exp, -50, 50, 1},      {"far exp", elementary::exp, std::exp, -690, 690, 1},
       {"cbrt", elementary::cbrt, std::cbrt, -1e3, 1e3, 1},
   };
   for (const auto& row : rows) {
@@ -102,8 +102,8 @@ TEST(ElementaryFunctions, HaveTheSameBitsOnEverySystem) {
   };
   for (int i = 1; i < 2000; ++i) {
     const double x = i / 64.0, share = i / 2000.0;
-    for (const auto function : {elementary::sin, elementary::cos, elementary::tan, elementary::atan, elementary::exp,
-                                elementary::cbrt})
+    for (const auto function :
+         {elementary::sin, elementary::cos, elementary::tan, elementary::atan, elementary::exp, elementary::cbrt})
       add(function(x));
     add(elementary::asin(share)), add(elementary::acos(share)), add(elementary::hypot(x, share));
     add(elementary::atan2(share, x - 15));

@@ -74,11 +74,13 @@ TEST(Axles, NamesInQuotesMayHoldACommaAndQuotes) {
   EXPECT_EQ(named(R"("box ""1"", left","""right""")"), (Pairs{{R"(box "1", left)", R"("right")"}}));
   EXPECT_EQ(named(R"(5" left,5" right)"), (Pairs{{R"(5" left)", R"(5" right)"}}));
   EXPECT_EQ(named("a;b,c;d"), (Pairs{{"a;b", "c;d"}}));
-  for (const auto& name : {"a,b", "\"", "\",\"", "a \"b\"", "\"a", "a;b"}) {
-    const auto written = text::csvField(name);
+  for (const auto& name : {"a,b", "\"", "\",\"", "a \"b\"", "\"a", "a;b", " a", "a ", "none", "plain name"}) {
+    const auto written = quotedAxleName(name);
     EXPECT_EQ(named(written + ",other"), (Pairs{{name, "other"}})) << written;
     EXPECT_EQ(named("other," + written), (Pairs{{"other", name}})) << written;
+    EXPECT_EQ(axleNamesFromLine("c,d;other," + written).value(), (Pairs{{"c", "d"}, {"other", name}})) << written;
   }
+  EXPECT_EQ(quotedAxleName("plain name"), "plain name");
   EXPECT_EQ(found({"box, left", "box, right"}, axleNamesFromText({R"("box, left","box, right")"})),
             (Pairs{{"box, left", "box, right"}}));
 }

@@ -30,6 +30,7 @@ detection::DetectionReport madeUp() {
   judged.length = 0.045, judged.lengthLow = 0.03, judged.lengthHigh = 0.06;
   judged.depth = 0.2e-3, judged.depthLow = 0.1e-3, judged.depthHigh = 0.3e-3;
   judged.severities = {0.1, 0.7, 0.2};
+  judged.offset = -0.021;
   squat.event.side = detection::SideJudgement{{0.2, 0.7, 0.1}};
   squat.event.passes = 2, squat.event.passesThere = 3;
   joint.event.kind = detection::Kind::joint, joint.event.position = -7, joint.event.reason = "stands beside a weld";
@@ -78,6 +79,7 @@ TEST(EventList, whatASearchWroteIsRead) {
   EXPECT_NEAR(squat.lengthLow, 0.03, 1e-12);
   EXPECT_NEAR(squat.lengthHigh, 0.06, 1e-12);
   EXPECT_NEAR(squat.depthLow, 0.1e-3, 1e-12);
+  EXPECT_NEAR(squat.impact, -0.021, 1e-12);
   EXPECT_NEAR(squat.depthHigh, 0.3e-3, 1e-12);
   EXPECT_NEAR(squat.severities[0], 0.1, 1e-12);
   EXPECT_NEAR(squat.severities[1], 0.7, 1e-12);

@@ -86,6 +86,7 @@ detection::CombinedEvent withoutSignal(const project::ListedEvent& listed) {
   event.features.speed = listed.speed;
   event.judgement.severity = detection::severityFromText(listed.severity);
   event.judgement.length = listed.length, event.judgement.depth = listed.depth;
+  event.judgement.offset = listed.impact;
   return combined;
 }
 

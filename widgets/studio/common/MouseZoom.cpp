@@ -33,7 +33,8 @@ MouseZoom::MouseZoom(plots::Figure& figure, std::function<bool()> leftIsTaken)
 
 // The plot begins a box after this, where it is in the mode for it.
 void MouseZoom::press(QMouseEvent* event) {
-  const bool within = figure_.axisRect()->rect().contains(event->pos());
+  axes_ = figure_.axisRectAt(event->pos());
+  const bool within = axes_ && axes_->rect().contains(event->pos());
   const bool boxes = within && event->button() == Qt::LeftButton && !(leftIsTaken_ && leftIsTaken_());
   figure_.setSelectionRectMode(boxes ? QCP::srmCustom : QCP::srmNone);
   panning_ = within && event->button() == Qt::MiddleButton;
@@ -41,22 +42,23 @@ void MouseZoom::press(QMouseEvent* event) {
 }
 
 void MouseZoom::move(QMouseEvent* event) {
-  if (!panning_) return;
-  shift(*figure_.xAxis, last_.x(), event->pos().x());
-  shift(*figure_.yAxis, last_.y(), event->pos().y());
+  if (!panning_ || !axes_) return;
+  shift(*axes_->axis(QCPAxis::atBottom), last_.x(), event->pos().x());
+  shift(*axes_->axis(QCPAxis::atLeft), last_.y(), event->pos().y());
   last_ = event->pos();
   figure_.replot(QCustomPlot::rpQueuedReplot);
 }
 
 void MouseZoom::zoomTo(const QRect& drawn) {
   constexpr int thin = 8;  // [pixels]
-  const QRect box = drawn & figure_.axisRect()->rect();
+  if (!axes_) axes_ = figure_.axisRect();
+  const QRect box = drawn & axes_->rect();
   if (box.width() < thin && box.height() < thin) return;
   const auto zoom = [](QCPAxis& axis, int low, int high) {
     axis.setRange(QCPRange(axis.pixelToCoord(low), axis.pixelToCoord(high)));
   };
-  if (box.width() >= thin) zoom(*figure_.xAxis, box.left(), box.right());
-  if (box.height() >= thin) zoom(*figure_.yAxis, box.bottom(), box.top());
+  if (box.width() >= thin) zoom(*axes_->axis(QCPAxis::atBottom), box.left(), box.right());
+  if (box.height() >= thin) zoom(*axes_->axis(QCPAxis::atLeft), box.bottom(), box.top());
   figure_.replot(QCustomPlot::rpQueuedReplot);
 }
 

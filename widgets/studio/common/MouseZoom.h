@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <functional>
 
 #include "plots/Figure.h"
@@ -15,7 +16,8 @@ class MouseZoom : public QObject {
   // While `leftIsTaken` says so, the left button draws no box: it drags a cursor, say. Belongs to the figure.
   explicit MouseZoom(plots::Figure& figure, std::function<bool()> leftIsTaken = {});
 
-  // [pixels] A flat box zooms along its long side alone; a tiny one does nothing.
+  // [pixels] A flat box zooms along its long side alone; a tiny one does nothing. Of the axes that were pressed last,
+  // where the figure has two beside each other.
   void zoomTo(const QRect& box);
 
  private:
@@ -23,6 +25,7 @@ class MouseZoom : public QObject {
   void move(QMouseEvent* event);
 
   plots::Figure& figure_;
+  QPointer<QCPAxisRect> axes_;
   std::function<bool()> leftIsTaken_;
   QPoint last_;
   bool panning_ = false;

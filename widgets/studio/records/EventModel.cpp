@@ -75,6 +75,7 @@ detection::CombinedEvent eventOf(const project::ListedEvent& listed, std::size_t
   judged.length = listed.length, judged.lengthLow = listed.lengthLow, judged.lengthHigh = listed.lengthHigh;
   judged.depth = listed.depth, judged.depthLow = listed.depthLow, judged.depthHigh = listed.depthHigh;
   judged.severities = listed.severities;
+  judged.offset = listed.impact;
   return combined;
 }
 
