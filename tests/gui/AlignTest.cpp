@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QUndoStack>
 #include <algorithm>
 #include <cmath>
 
@@ -205,6 +206,86 @@ TEST_F(AlignByHand, comesBackInAProject) {
   EXPECT_EQ(again.record->position, laid->position);  // to the last bit
   EXPECT_EQ(*again.record->signal("aba"), *laid->signal("aba"));
   EXPECT_EQ(again.reading.gain, 0.8);
+}
+
+// Whatever was typed and dragged in it.
+TEST_F(AlignByHand, aDialogIsOneStepToUndo) {
+  const auto before = measured().record;
+  QUndoStack& stack = window_.document().undoStack();
+  box("alignPosition")->setValue(50);
+  box("alignPosition")->setValue(123.4);
+  box("alignGain")->setValue(1.5);
+  EXPECT_EQ(stack.count(), 0);
+  dialog_->close();
+  ASSERT_EQ(stack.count(), 1);
+  EXPECT_EQ(stack.undoText(), "alignment of “" + measured().label + "”");
+  EXPECT_FALSE(window_.document().isModified()) << "it is no change of the case";
+  window_.findChild<QAction*>("undo")->trigger();
+  EXPECT_EQ(measured().record, before);
+  EXPECT_TRUE(measured().reading.isAutomatic);
+  EXPECT_EQ(measured().reading.gain, 1);
+  window_.findChild<QAction*>("redo")->trigger();
+  EXPECT_NEAR(placeOfPeak(), 0.1234, 1e-12);
+  EXPECT_EQ(measured().reading.gain, 1.5);
+  EXPECT_FALSE(measured().reading.isAutomatic);
+}
+
+TEST_F(AlignByHand, aDialogThatChangesNothingIsNoStep) {
+  box("alignPosition")->setValue(123.4);
+  dialog_->findChild<QPushButton*>("alignBack")->click();
+  dialog_->close();
+  EXPECT_EQ(window_.document().undoStack().count(), 0);
+}
+
+// The signal has followed another run since, and stays with it; a step takes back what it has changed.
+TEST_F(AlignByHand, aStepTakesBackWhatItHasChanged) {
+  box("alignGain")->setValue(1.5);
+  dialog_->close();
+  EXPECT_TRUE(tests::passes([&] { return !window_.findChild<AlignDialog*>(); }));
+  auto moved = tests::syntheticResult();
+  for (double& position : moved.position) position += 0.03;
+  window_.store().add({std::make_shared<const results::RunResult>(moved), "moved", QString(), false});
+  ASSERT_NEAR(placeOfPeak(), automatic_ + 0.03, 1e-4);
+  window_.document().undoStack().undo();
+  EXPECT_EQ(measured().reading.gain, 1);
+  EXPECT_NEAR(placeOfPeak(), automatic_ + 0.03, 1e-4);
+  window_.document().undoStack().redo();
+  EXPECT_EQ(measured().reading.gain, 1.5);
+  EXPECT_NEAR(placeOfPeak(), automatic_ + 0.03, 1e-4);
+}
+
+// The run before it is removed: it stands in another row. Removed itself, nothing is left to be laid.
+TEST_F(AlignByHand, aStepIsOfItsSignalWhereverItStands) {
+  box("alignPosition")->setValue(123.4);
+  dialog_->close();
+  QUndoStack& stack = window_.document().undoStack();
+  window_.store().remove(0);
+  stack.undo();
+  EXPECT_NEAR(window_.store().at(0).reading.impact, automatic_, 1e-12);
+  window_.store().putAside(0);
+  stack.redo();
+  stack.undo();
+  EXPECT_EQ(window_.store().rowCount(), 0);
+  stack.redo();
+  ASSERT_EQ(window_.store().restore(), 0);
+  stack.undo();  // it lies as before already
+  EXPECT_NEAR(window_.store().at(0).reading.impact, automatic_, 1e-12);
+  stack.redo();
+  EXPECT_NEAR(window_.store().at(0).reading.impact, 0.1234, 1e-12);
+}
+
+// What the next dialog would change lies otherwise then.
+TEST_F(AlignByHand, aStepThatIsUndoneEndsTheNextDialog) {
+  box("alignPosition")->setValue(123.4);
+  dialog_->close();
+  EXPECT_TRUE(tests::passes([&] { return !window_.findChild<AlignDialog*>(); }));
+  QMenu menu;
+  window_.findChild<RunsPanel*>()->fillMenu(menu, 1);
+  menu.findChild<QAction*>("runAlign")->trigger();
+  ASSERT_NE(window_.findChild<AlignDialog*>(), nullptr);
+  window_.document().undoStack().undo();
+  EXPECT_TRUE(tests::passes([&] { return !window_.findChild<AlignDialog*>(); }));
+  EXPECT_NEAR(placeOfPeak(), automatic_, 1e-12);
 }
 
 TEST_F(AlignByHand, aSignalThatIsRemovedEndsIt) {

@@ -97,6 +97,38 @@ TEST(CaseDocument, tellsNobodyWhenItGoes) {
   EXPECT_EQ(told, 2);
 }
 
+// The window may undo more than the case: that is nothing to save, and hides no change that is.
+TEST(CaseDocument, isModifiedByStepsOfTheCaseAlone) {
+  const QTemporaryDir folder;
+  CaseDocument document;
+  QUndoStack& stack = document.undoStack();
+  int told = 0;
+  QObject::connect(&document, &CaseDocument::titleChanged, [&] { ++told; });
+  stack.push(new QUndoCommand("of something else"));
+  EXPECT_FALSE(document.isModified());
+  EXPECT_EQ(told, 0);
+  document.setParameter("motion.speed", "25");
+  EXPECT_TRUE(document.isModified());
+  EXPECT_EQ(told, 1);
+  stack.undo();
+  EXPECT_FALSE(document.isModified());
+  EXPECT_EQ(told, 2);
+  stack.undo();
+  EXPECT_FALSE(document.isModified());
+  stack.redo();
+  stack.redo();
+  EXPECT_TRUE(document.isModified());
+  document.save(folder.filePath("saved.toml"));
+  EXPECT_FALSE(document.isModified());
+  stack.push(new QUndoCommand("of something else"));
+  stack.undo();
+  EXPECT_FALSE(document.isModified());
+  stack.undo();
+  EXPECT_TRUE(document.isModified()) << "the file has the other speed";
+  stack.redo();
+  EXPECT_FALSE(document.isModified());
+}
+
 TEST(CaseDocument, oneGestureIsOneStep) {
   CaseDocument document;
   const int gesture = document.newGesture();

@@ -93,7 +93,10 @@ std::optional<CaseProblem> takeInputPreset(cases::CaseDescription& after, const 
 }  // namespace
 
 CaseDocument::CaseDocument(QObject* parent) : QObject(parent), undo_(this) {
-  connect(&undo_, &QUndoStack::cleanChanged, this, &CaseDocument::titleChanged);
+  connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) {
+    if (clean) saved_ = current_;
+    tellModified();
+  });
   startNew();
 }
 
@@ -116,7 +119,9 @@ void CaseDocument::startFrom(const cases::CaseDescription& description, const QS
   name_ = name;
   undo_.clear();
   undo_.setClean();  // clear() leaves an empty stack as it is: that of a recovered case stayed modified
-  become(std::make_shared<const cases::CaseDescription>(description));
+  const auto opened = std::make_shared<const cases::CaseDescription>(description);
+  saved_ = modified ? nullptr : opened;
+  become(opened);
   if (modified) undo_.resetClean();
   Q_EMIT replaced();
   Q_EMIT titleChanged();
@@ -126,7 +131,9 @@ void CaseDocument::save(const QString& path) {
   cases::saveCase(description(), path.toStdString());
   path_ = QFileInfo(path).absoluteFilePath();
   name_ = QFileInfo(path).completeBaseName();
+  saved_ = current_;
   undo_.setClean();
+  tellModified();
   Q_EMIT titleChanged();
 }
 
@@ -186,6 +193,13 @@ void CaseDocument::become(std::shared_ptr<const cases::CaseDescription> descript
   right_ = cases::rightOf(*current_);
   validation_ = cases::validate(*current_);
   Q_EMIT changed();
+  tellModified();
+}
+
+void CaseDocument::tellModified() {
+  if (isModified() == told_) return;
+  told_ = isModified();
+  Q_EMIT titleChanged();
 }
 
 bool sameCase(const cases::CaseDescription& a, const cases::CaseDescription& b) {

@@ -22,10 +22,10 @@ class CaseDocument : public QObject {
   const cases::CaseDescription& description() const { return *current_; }
   const cases::CaseDescription& right() const { return right_; }  // the case of the right side alone
   const cases::Validation& validation() const { return validation_; }
-  QUndoStack& undoStack() { return undo_; }
-  QString path() const { return path_; }  // empty: never saved (shipped cases open as copies)
-  QString name() const { return name_; }  // stem of results
-  bool isModified() const { return !undo_.isClean(); }
+  QUndoStack& undoStack() { return undo_; }  // of the window: it may hold steps that do not concern the case
+  QString path() const { return path_; }     // empty: never saved (shipped cases open as copies)
+  QString name() const { return name_; }     // stem of results
+  bool isModified() const { return current_ != saved_; }
 
   // These forget the changes before. open() takes a path or the name of a shipped case; throws CaseError, FileError and
   // leaves the document as it was.
@@ -57,8 +57,11 @@ class CaseDocument : public QObject {
   std::optional<CaseProblem> setOnRight(const std::string& key, const std::string& text);
   void notePreset();  // that it has shortened what is rolled
   void become(std::shared_ptr<const cases::CaseDescription> description);
+  void tellModified();
 
   std::shared_ptr<const cases::CaseDescription> current_;
+  std::shared_ptr<const cases::CaseDescription> saved_;  // null: what is in the file is none of the steps
+  bool told_ = false;                                    // whether it is modified, to those who listen
   cases::CaseDescription right_;
   cases::Validation validation_;
   QUndoStack undo_;

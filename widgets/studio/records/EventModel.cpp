@@ -6,6 +6,7 @@
 
 #include "core/Errors.h"
 #include "studio/common/RowTable.h"
+#include "studio/records/LabelCommand.h"
 #include "text/Numbers.h"
 
 namespace squat::studio {
@@ -105,6 +106,9 @@ QStringList EventModel::labels() {
   return all;
 }
 
+// The undo stack tells that it is empty when it goes: the view that listens may be gone in part.
+EventModel::~EventModel() { undo_.disconnect(); }
+
 void EventModel::setReport(const ReportPointer& report) {
   beginResetModel();
   const bool isSameTrack = report_ && report && sharesARecord(*report_, *report);
@@ -119,6 +123,7 @@ void EventModel::setReport(const ReportPointer& report) {
     ++place;
   }
   endResetModel();
+  undo_.clear();
 }
 
 int EventModel::nearest(const std::string& onChannel, double metres) const {
@@ -188,8 +193,8 @@ QString EventModel::text(int row, int column) const {
     case sureness:
       return tr("%1 %").arg(100 * event.sureness, 0, 'f', 0);
     case seen: {
-      const auto found = seen_.find(row);
-      return found == seen_.end() ? QString() : labels().at(found->second);
+      const int label = labelOf(row);
+      return label == 0 ? QString() : labels().at(label);
     }
     default: {
       const double value = number(row, column);
@@ -234,14 +239,32 @@ QVariant EventModel::headerData(int section, Qt::Orientation orientation, int ro
 
 bool EventModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (role != Qt::EditRole || index.column() != seen) return false;
-  const auto place = labels().indexOf(value.toString());
-  if (place < 0) return false;
-  if (place == 0)
-    seen_.erase(index.row());
-  else
-    seen_[index.row()] = static_cast<int>(place);
-  Q_EMIT dataChanged(index, index);
+  const auto label = static_cast<int>(labels().indexOf(value.toString()));
+  if (label < 0) return false;
+  const int before = labelOf(index.row());
+  if (label != before) undo_.push(new LabelCommand(*this, EventPointer(report_, &at(index.row())), before, label));
   return true;
+}
+
+int EventModel::labelOf(int row) const {
+  const auto found = seen_.find(row);
+  return found == seen_.end() ? 0 : found->second;
+}
+
+void EventModel::setLabel(int row, int label) {
+  if (label == 0)
+    seen_.erase(row);
+  else
+    seen_[row] = label;
+  Q_EMIT dataChanged(index(row, seen), index(row, seen));
+}
+
+void EventModel::become(const EventPointer& event, int label) {
+  for (int row = 0; row < rowCount(); ++row) {
+    if (&at(row) != event.get()) continue;
+    setLabel(row, label);
+    Q_EMIT labelStepped(row);
+  }
 }
 
 Qt::ItemFlags EventModel::flags(const QModelIndex& index) const {
@@ -271,7 +294,10 @@ std::vector<project::SeenEvent> EventModel::seenForProject() const {
 
 bool EventModel::see(const project::SeenEvent& noted) {
   const int row = nearest(noted.channel, noted.position);
-  return row >= 0 && setData(index(row, seen), QString::fromStdString(noted.seenAs), Qt::EditRole);
+  const auto label = static_cast<int>(labels().indexOf(QString::fromStdString(noted.seenAs)));
+  if (row < 0 || label < 0) return false;
+  setLabel(row, label);
+  return true;
 }
 
 }  // namespace squat::studio

@@ -1,5 +1,6 @@
 #include "studio/records/RecordView.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -67,9 +68,12 @@ RecordView::RecordView(const plots::Style& style, QWidget* parent)
       filter_(new QLineEdit(this)),
       show_(new QPushButton(tr("Show in the fi&gures"), this)),
       estimate_(new QPushButton(tr("&Estimate its profile…"), this)),
-      labels_(new QPushButton(tr("Save &labels…"), this)) {
+      labels_(new QPushButton(tr("Save &labels…"), this)),
+      undo_(new QAction(this)),
+      redo_(new QAction(this)) {
   setObjectName("recordView");
   makeTable();
+  makeUndo();
   auto* parts = new QSplitter(Qt::Vertical, this);
   auto* events = new QSplitter(Qt::Horizontal, parts);
   events->addWidget(table_);
@@ -119,7 +123,9 @@ void RecordView::makeTable() {
   table_->setAccessibleName(tr("Events of the record"));
   table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
   table_->setItemDelegateForColumn(EventModel::seen, new LabelDelegate(table_));
-  table_->setToolTip(tr("N goes to the next event, P to the one before; 1 to 8 set the label, 0 takes it off"));
+  table_->setToolTip(
+      tr("N goes to the next event, P to the one before; 1 to 8 set the label, 0 takes it off;\n"
+         "Ctrl+Z undoes the last label"));
   table_->installEventFilter(this);
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(table_, &QTableView::customContextMenuRequested, this, &RecordView::openMenu);
@@ -129,6 +135,20 @@ void RecordView::makeTable() {
   });
   connect(model_, &QAbstractItemModel::dataChanged, this, &RecordView::enableButtons);
   connect(table_->horizontalHeader(), &QHeaderView::sortIndicatorChanged, this, &RecordView::changed);
+}
+
+// Keys of the window that this view stands in: the case is undone in the main window.
+void RecordView::makeUndo() {
+  QUndoStack& stack = model_->undoStack();
+  undo_->setObjectName("undoLabel");
+  undo_->setShortcut(QKeySequence::Undo);
+  redo_->setObjectName("redoLabel");
+  redo_->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+  addActions({undo_, redo_});
+  connect(undo_, &QAction::triggered, &stack, &QUndoStack::undo);
+  connect(redo_, &QAction::triggered, &stack, &QUndoStack::redo);
+  connect(&stack, &QUndoStack::indexChanged, this, &RecordView::enableButtons);
+  connect(model_, &EventModel::labelStepped, this, &RecordView::choose);
 }
 
 QWidget* RecordView::makeBar() {
@@ -287,6 +307,11 @@ int RecordView::chosen() const {
   return index.isValid() && model_->report() ? seen_->mapToSource(index).row() : -1;
 }
 
+void RecordView::choose(int event) {
+  const QModelIndex row = seen_->mapFromSource(model_->index(event, 0));
+  if (row.isValid()) table_->setCurrentIndex(row.siblingAtColumn(std::max(0, table_->currentIndex().column())));
+}
+
 void RecordView::showChosen() {
   enableButtons();
   const int event = chosen();
@@ -361,6 +386,8 @@ void RecordView::openMenu(const QPoint& location) {
   for (int label = 0; label < words.size(); ++label)
     labels->addAction(tr("%1\t%2").arg(words[label].isEmpty() ? tr("none") : words[label]).arg(label), this,
                       [this, label] { setLabel(label); });
+  menu->addSeparator();
+  menu->addActions({undo_, redo_});
   menu->popup(table_->viewport()->mapToGlobal(location));
 }
 
@@ -412,6 +439,11 @@ void RecordView::enableButtons() {
   show_->setEnabled(can);
   estimate_->setEnabled(can);
   labels_->setEnabled(model_->report() && !model_->seenEvents().empty());
+  const QUndoStack& stack = model_->undoStack();
+  undo_->setEnabled(stack.canUndo() && table_->isEnabled());
+  redo_->setEnabled(stack.canRedo() && table_->isEnabled());
+  undo_->setText(stack.canUndo() ? tr("&Undo %1").arg(stack.undoText()) : tr("&Undo"));
+  redo_->setText(stack.canRedo() ? tr("&Redo %1").arg(stack.redoText()) : tr("&Redo"));
 }
 
 }  // namespace squat::studio

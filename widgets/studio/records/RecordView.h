@@ -12,6 +12,7 @@
 #include "studio/records/EventModel.h"
 #include "studio/records/RecordStrip.h"
 
+class QAction;
 class QComboBox;
 class QLineEdit;
 class QPushButton;
@@ -67,9 +68,11 @@ class RecordView : public QWidget {
   void placeSeen();
   QWidget* makeBar();
   void makeTable();
+  void makeUndo();
   int chosen() const;  // event; -1: none
   QString passageOfChosen();
   void showChosen();
+  void choose(int event);   // where the filter lets it through
   void inspect(int event);  // -1: none
   void askForLabels();
   void openMenu(const QPoint& location);
@@ -85,6 +88,7 @@ class RecordView : public QWidget {
   QComboBox* channel_;
   QLineEdit* filter_;
   QPushButton *show_, *estimate_, *labels_;
+  QAction *undo_, *redo_;  // of labels
   QString folder_;
   QString list_;                                 // squats.json of the events; empty: none
   std::optional<project::LongRecords> waiting_;  // for the view to be seen

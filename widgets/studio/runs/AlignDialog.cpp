@@ -12,6 +12,7 @@
 
 #include "studio/common/FixedLabel.h"
 #include "studio/common/NumberBox.h"
+#include "studio/runs/AlignCommand.h"
 
 namespace squat::studio {
 namespace {
@@ -29,7 +30,7 @@ AlignDialog::AlignDialog(RunStore& store, int row, QWidget* parent)
     : QDialog(parent),
       store_(store),
       measured_{store.at(row).record, store.at(row).reading},
-      first_(measured_.reading),
+      first_(measured_),
       shown_(measured_.record),
       problem_(new FixedLabel(2, this)) {
   setObjectName("alignDialog");
@@ -61,12 +62,15 @@ AlignDialog::AlignDialog(RunStore& store, int row, QWidget* parent)
   // Return enters a number; it presses no button.
   for (auto* button : buttons->findChildren<QPushButton*>()) button->setAutoDefault(false);
   connect(automatic, &QPushButton::clicked, this, &AlignDialog::layAutomatically);
-  connect(back, &QPushButton::clicked, this, [this] { lay(first_); });
+  connect(back, &QPushButton::clicked, this, [this] { lay(first_.reading); });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(&store_, &RunStore::rowsRemoved, this, [this] {
     if (this->row() < 0) reject();
   });
   connect(&store_, &RunStore::modelReset, this, &QDialog::reject);
+  connect(&store_, &RunStore::dataChanged, this, [this] {
+    if (isVisible() && this->row() < 0) reject();  // an earlier step is undone: it lies as nothing here says
+  });
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(words);
   layout->addLayout(form);
@@ -121,13 +125,14 @@ void AlignDialog::lay(const project::MeasuredReading& wanted, const signals::Rec
 }
 
 void AlignDialog::layAutomatically() {
-  auto wanted = first_;
+  auto wanted = first_.reading;
   wanted.impact = 0, wanted.gain = 1, wanted.isAutomatic = true;
   lay(wanted, store_.currentResult().get());
 }
 
 void AlignDialog::done(int result) {
   if (const int at = row(); at >= 0 && store_.at(at).dragged) lay(measured_.reading);
+  if (const int at = row(); at >= 0 && !isSameAlignment(first_.reading, measured_.reading)) Q_EMIT aligned(at, first_);
   QDialog::done(result);
 }
 

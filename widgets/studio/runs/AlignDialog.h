@@ -22,6 +22,10 @@ class AlignDialog : public QDialog {
   void shift(double metres, bool done);
   void done(int result) override;  // a drag that has not ended is undone
 
+ Q_SIGNALS:
+  // When the dialog closes: how the signal of this row, which lies otherwise now, lay when it opened.
+  void aligned(int row, const project::MeasuredRecord& before);
+
  private:
   QDoubleSpinBox* numberOf(const QString& name, const QString& label, const QString& unit, double low, double high,
                            int decimals);
@@ -33,7 +37,7 @@ class AlignDialog : public QDialog {
 
   RunStore& store_;
   project::MeasuredRecord measured_;  // as it is laid for good
-  project::MeasuredReading first_;    // as it was when the dialog opened
+  project::MeasuredRecord first_;     // as it was when the dialog opened
   RecordPointer shown_;               // in the list
   QDoubleSpinBox *position_, *speed_, *gain_;
   FixedLabel* problem_;

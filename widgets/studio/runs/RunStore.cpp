@@ -286,6 +286,18 @@ int RunStore::rowOfRecord(const RecordPointer& record) const {
   return -1;
 }
 
+std::size_t RunStore::signalNumber(int row) {
+  auto& run = runs_.at(static_cast<std::size_t>(row));
+  if (run.signal == 0) run.signal = ++lastSignal_;
+  return run.signal;
+}
+
+int RunStore::rowOfSignal(std::size_t number) const {
+  for (int row = 0; row < rowCount(); ++row)
+    if (at(row).signal == number) return row;
+  return -1;
+}
+
 int RunStore::rowOfLink(const RunLink& link) const {
   for (int row = 0; row < rowCount(); ++row)
     if (link && at(row).link == link) return row;

@@ -42,6 +42,8 @@ struct StoredRun {
   bool opening = false;  // it is missing because it is still being read
   Fields fields = Fields::inMemory;
   bool dragged = false;  // a measured signal that moves under the mouse: its numbers are not worth computing
+  // Of a measured signal, the same however it is laid and wherever it stands; 0: nobody has asked for it.
+  std::size_t signal = 0;
 
   bool isMeasured() const { return !result; }
   bool isMissing() const { return !missing.isEmpty(); }
@@ -92,6 +94,8 @@ class RunStore : public QAbstractListModel {
   ResultPointer currentResult() const;
   int rowOf(const ResultPointer& result) const;        // -1: not in the list (any more)
   int rowOfRecord(const RecordPointer& record) const;  // the same of runs and measured signals
+  std::size_t signalNumber(int row);                   // StoredRun::signal, for as long as the store lives
+  int rowOfSignal(std::size_t number) const;           // -1: not in the list
   int rowOfLink(const RunLink& link) const;            // of what a project links to and is not read yet
   const StoredRun& at(int row) const { return runs_.at(static_cast<std::size_t>(row)); }
   void setPath(int row, const QString& path);
@@ -127,6 +131,7 @@ class RunStore : public QAbstractListModel {
   std::vector<Aside> aside_;
   RecordPointer reference_;  // null: none was set
   RunLink waiting_;          // of the row that becomes the current one
+  std::size_t lastSignal_ = 0;
 };
 
 }  // namespace squat::studio

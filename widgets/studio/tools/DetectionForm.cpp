@@ -23,6 +23,7 @@
 #include "plots/DetectionFigures.h"
 #include "records/Overview.h"
 #include "studies/Jobs.h"
+#include "studio/common/EditorHabits.h"
 #include "studio/common/NumberBox.h"
 #include "studio/records/RecordReading.h"
 #include "studio/records/RecordView.h"
@@ -112,6 +113,7 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
   nameFields();
   layOutFields();
   connectParts();
+  leaveUndoToWindow(*this);  // that of labels
 }
 
 void DetectionForm::nameFields() {

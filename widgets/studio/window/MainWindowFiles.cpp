@@ -17,6 +17,7 @@
 #include "studio/profile/ProfilePlot.h"
 #include "studio/project/ProjectRuns.h"
 #include "studio/project/RunReader.h"
+#include "studio/runs/AlignCommand.h"
 #include "studio/runs/AlignDialog.h"
 #include "studio/runs/AutomaticAlignment.h"
 #include "studio/runs/MeasuredDialog.h"
@@ -275,6 +276,7 @@ void MainWindow::askHowToRead(const QString& path) {
 // One signal at a time: the figure can be dragged for one alone.
 void MainWindow::alignByHand(int row) {
   if (row < 0 || row >= store_.rowCount() || !store_.at(row).isMeasured() || store_.at(row).isMissing()) return;
+  if (align_) align_->close();
   delete align_;
   if (!store_.at(row).overlaid) store_.setData(store_.index(row), Qt::Checked, Qt::CheckStateRole);
   align_ = new AlignDialog(store_, row, this);
@@ -282,6 +284,9 @@ void MainWindow::alignByHand(int row) {
   showTab("aba_position");
   signals_->setAligning(true);
   connect(signals_, &SignalsPanel::shifted, align_, &AlignDialog::shift);
+  connect(align_, &AlignDialog::aligned, this, [this](int aligned, const project::MeasuredRecord& before) {
+    document_.undoStack().push(new AlignCommand(store_, aligned, before));
+  });
   connect(align_, &QDialog::finished, signals_, [this] {
     signals_->setAligning(false);
     alignWithCurrent(store_);  // the others have waited
