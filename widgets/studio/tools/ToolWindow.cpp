@@ -13,6 +13,7 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QResizeEvent>
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
@@ -427,6 +428,12 @@ void ToolWindow::saveOptions() const {
 }
 
 // The size is chosen in the main window, perhaps since the figures were drawn.
+// Words that wrap take more lines where the window is narrow; a layout's own minimum counts one.
+void ToolWindow::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  setMinimumHeight(layout()->totalMinimumHeightForWidth(width()));
+}
+
 void ToolWindow::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::ActivationChange) takeFigureSize();

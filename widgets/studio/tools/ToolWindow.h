@@ -59,6 +59,7 @@ class ToolWindow : public QWidget {
  protected:
   void hideEvent(QHideEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void makeOptions();
