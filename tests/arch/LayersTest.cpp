@@ -49,7 +49,7 @@ Folder folderOf(const Include& include) {
   return {};
 }
 Folder folderOf(const SourceFile& file) {
-  const auto module = moduleOf(file.path);
+  auto module = moduleOf(file.path);
   if (module.starts_with(platform)) return platform;  // each system has a folder in it
   if (file.layer == "widgets" && file.folder == "studio") return module;
   return file.layer == "app" || file.layer == "python" ? file.layer : file.layer + "/" + file.folder;

@@ -202,6 +202,8 @@ std::unique_ptr<Figure> dipLengthFigure(const Growth& growth, const Style& style
   figure->yAxis->setLabel(QStringLiteral("Length of the dip [mm]"));
   addCurve(*figure, {tonnages(growth), valuesOf(growth, &Stage::length, millimetres), {}, 0, 1.5});
   fitWithZero(*figure);
+  constexpr double roomAbove = 1.1;  // a dip that keeps its length is no line on the frame
+  figure->yAxis->setRange(0, roomAbove * figure->yAxis->range().upper);
   return figure;
 }
 
@@ -257,6 +259,9 @@ std::vector<std::unique_ptr<Figure>> growthCurves(const Growth& growth, double e
   curves.push_back(dipLengthFigure(growth, style));
   curves.push_back(responseFigure(growth, style));
   for (const auto& figure : curves) figure->xAxis->setRange(0, std::max(perMillion * end, 1e-6));
+  // Low figures have no room for long labels; the legend names the rest.
+  curves[1]->yAxis->setLabel(QStringLiteral("Length [mm]"));
+  curves[2]->yAxis->setLabel(QStringLiteral("[m/s²], [kN]"));
   return curves;
 }
 
