@@ -81,7 +81,7 @@ TEST(EmptyStates, theWindowOfRecordsOffersTheSample) {
   window.show();
   window.findChild<QAction*>("squatsAction")->trigger();
   ToolWindow* tool = window.tool("squats");
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(tool));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(tool->window()));
   const auto* form = qobject_cast<DetectionForm*>(tool->form());
   const RecordStrip* strip = form->records()->strip();
   auto* button = strip->findChild<QPushButton*>("openSample");

@@ -1,6 +1,7 @@
 // What the mouse does on figures, cursors and the model, done with keys.
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QApplication>
 #include <QCheckBox>
 #include <QTest>
@@ -70,13 +71,14 @@ TEST(Keyboard, threeKeysReachEveryPane) {
 
 TEST(Keyboard, inAToolTheSameKeysGoBetweenOptionsAndResults) {
   MainWindow window(tests::services());
-  ToolWindow* tool = window.tool("study");
-  tool->show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(tool));
-  QApplication::setActiveWindow(tool);
-  QTest::keyClick(tool, Qt::Key_F6);
+  window.findChild<QAction*>("studyAction")->trigger();
+  const ToolWindow* tool = window.tool("study");
+  QWidget* tools = tool->window();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(tools));
+  QApplication::setActiveWindow(tools);
+  QTest::keyClick(tools, Qt::Key_F6);
   const bool inOptions = tool->form()->isAncestorOf(QApplication::focusWidget());
-  QTest::keyClick(tool, Qt::Key_F6);
+  QTest::keyClick(tools, Qt::Key_F6);
   EXPECT_NE(tool->form()->isAncestorOf(QApplication::focusWidget()), inOptions);
 }
 
@@ -393,9 +395,9 @@ TEST(Keyboard, everyFigureThatTheMouseZoomsTakesKeys) {
   window.comparison()->showMaps();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window.comparison()->maps()));
   EXPECT_EQ(judgeFigures(*window.comparison()->maps()), 3);
-  ToolWindow* squats = window.tool("squats");
-  squats->show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(squats));
+  window.findChild<QAction*>("squatsAction")->trigger();
+  const ToolWindow* squats = window.tool("squats");
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(squats->window()));
   EXPECT_EQ(judgeFigures(*squats), 1);  // the strip
 }
 

@@ -36,6 +36,7 @@
 #include "studio/profile/SquatDialog.h"
 #include "studio/runs/AlignDialog.h"
 #include "studio/runs/MeasuredDialog.h"
+#include "studio/tools/ToolTabs.h"
 #include "studio/tools/ToolWindow.h"
 #include "studio/window/HelpWindow.h"
 
@@ -376,25 +377,27 @@ TEST_F(Looks, helpIsWhole) {
   }
 }
 
-// Windows beside the main one, as large as they open, and as small as they can be made.
-TEST_F(Looks, windowsOfToolsAreWhole) {
+// As large as their window opens, and as small as it can be made.
+TEST_F(Looks, toolsAreWhole) {
   for (const bool dark : {false, true}) {
     window_->setDark(dark);
     for (const char* name : {"study", "calibration", "growth", "receptance", "squats", "estimate"}) {
       SCOPED_TRACE(std::string(name) + (dark ? ", dark" : ", light"));
       ToolWindow* tool = window_->tool(name);
-      tool->show();
-      ASSERT_TRUE(QTest::qWaitForWindowExposed(tool));
-      const QSize usual = tool->size();
-      EXPECT_LE(tool->minimumSizeHint().width(), smallest.width());
-      EXPECT_LE(tool->minimumSizeHint().height(), smallest.height());
-      for (const QSize& size : {usual, tool->minimumSizeHint()}) {
-        tool->resize(size);
+      window_->toolTabs()->open(*tool);
+      QWidget& tools = *tool->window();
+      ASSERT_TRUE(QTest::qWaitForWindowExposed(&tools));
+      const QSize usual = tools.size(), least = tools.minimumSizeHint();
+      EXPECT_LE(least.width(), smallest.width());
+      EXPECT_LE(least.height(), smallest.height());
+      for (const QSize& size : {usual, least}) {
+        tools.resize(size);
         QTest::qWait(20);
-        judgeLayout(*tool, 12);
-        expectDrawn(*tool, 0.005);
+        judgeLayout(tools, 12);
+        expectDrawn(tools, 0.005);
       }
-      tool->hide();
+      tools.resize(usual);
+      tool->close();
     }
   }
 }

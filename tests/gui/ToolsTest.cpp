@@ -151,7 +151,7 @@ TEST_F(Tools, whatWasWrongIsNotSaidAnyMoreOnceItIsMended) {
   EXPECT_EQ(study->messages()->text(), "");
 }
 
-// A tool whose window is closed computes on: the main window says so, and leads back to it.
+// A tool whose tab is closed computes on: the main window says so, and leads back to it.
 TEST_F(Tools, whatIsComputedIsSeenInTheMainWindow) {
   const auto* jobs = window_.findChild<JobsButton*>();
   EXPECT_FALSE(jobs->isEnabled());
@@ -159,7 +159,8 @@ TEST_F(Tools, whatIsComputedIsSeenInTheMainWindow) {
   ToolWindow* study = open("study");
   study->form()->findChild<KeyRows*>()->setTexts({QString("defect.depth=0.05:0.2:%1").arg(40 * studies::coresHere())});
   study->start();
-  study->hide();
+  study->close();
+  EXPECT_FALSE(study->isVisible());
   EXPECT_TRUE(tests::passes([&] { return jobs->text().contains("runs done"); }, 20000)) << jobs->text().toStdString();
   EXPECT_TRUE(jobs->text().startsWith("Study: ")) << jobs->text().toStdString();
   EXPECT_EQ(jobs->width(), width);
@@ -173,20 +174,25 @@ TEST_F(Tools, whatIsComputedIsSeenInTheMainWindow) {
   EXPECT_EQ(jobs->text(), "");
 }
 
-// Keys lead from one tool to the next, Escape leaves a window open in which one works, Ctrl+W closes it.
+// Keys lead from one tool to the next, Escape leaves a tab open in which one works, Ctrl+W closes it, and the window
+// with the last one.
 TEST_F(Tools, keysOfTheMainWindowWorkInATool) {
   ToolWindow* study = open("study");
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(study));
-  QApplication::setActiveWindow(study);
-  tests::press(*study, Qt::Key_Escape);
+  QWidget& tools = *study->window();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&tools));
+  QApplication::setActiveWindow(&tools);
+  tests::press(tools, Qt::Key_Escape);
   EXPECT_TRUE(study->isVisible());
-  tests::press(*study, Qt::Key_F9, Qt::ControlModifier);
-  ToolWindow* estimate = window_.tool("estimate");
+  tests::press(tools, Qt::Key_F9, Qt::ControlModifier);
+  const ToolWindow* estimate = window_.tool("estimate");
   EXPECT_TRUE(tests::passes([&] { return estimate->isVisible(); }));
-  QApplication::setActiveWindow(study);
-  tests::press(*study, Qt::Key_W, Qt::ControlModifier);
-  EXPECT_FALSE(study->isVisible());
-  EXPECT_TRUE(estimate->isVisible());
+  EXPECT_FALSE(study->isVisible()) << "its tab is behind";
+  tests::press(tools, Qt::Key_W, Qt::ControlModifier);
+  EXPECT_FALSE(estimate->isVisible());
+  EXPECT_TRUE(study->isVisible());
+  tests::press(tools, Qt::Key_W, Qt::ControlModifier);
+  EXPECT_FALSE(tools.isVisible());
+  EXPECT_TRUE(window_.isVisible());
 }
 
 // Beside the project once there is one, else beside the case's file, else among the documents: never in the home folder
@@ -304,7 +310,7 @@ TEST_F(Tools, keepWhatWasSetForTheNextDay) {
     ToolWindow* study = open("study");
     study->form()->findChild<KeyRows*>()->setTexts({"defect.depth=0.1,0.2", "motion.speed=20:40:3"});
     study->form()->findChild<QComboBox*>("points")->setCurrentIndex(1);
-    study->hide();
+    study->close();
   }
   MainWindow tomorrow(tests::services());
   const ToolForm* form = tomorrow.tool("study")->form();

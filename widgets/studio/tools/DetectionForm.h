@@ -23,6 +23,7 @@ class DetectionForm : public ToolForm {
 
   QString name() const override { return QStringLiteral("squats"); }
   QString title() const override { return tr("Squats in records"); }
+  QString shortTitle() const override { return tr("Squats"); }
   QString explanation() const override;
   QString subject() const override { return tr("The search"); }
   QString fate() const override { return tr("Its results so far are discarded."); }

@@ -18,6 +18,7 @@ class EstimateForm : public ToolForm {
 
   QString name() const override { return QStringLiteral("estimate"); }
   QString title() const override { return tr("Profile from measured passages"); }
+  QString shortTitle() const override { return tr("Estimate"); }
   QString explanation() const override;
   QString subject() const override { return tr("The estimate"); }
   QString fate() const override { return tr("The best profile so far is kept."); }

@@ -21,6 +21,7 @@ class GrowthForm : public ToolForm {
 
   QString name() const override { return QStringLiteral("growth"); }
   QString title() const override { return tr("Growth under traffic"); }
+  QString shortTitle() const override { return tr("Growth"); }
   QString explanation() const override;
   QString subject() const override { return tr("The growth"); }
   ToolWork work() override;

@@ -17,6 +17,7 @@ class ReceptanceForm : public ToolForm {
 
   QString name() const override { return QStringLiteral("receptance"); }
   QString title() const override { return tr("Track receptance"); }
+  QString shortTitle() const override { return tr("Receptance"); }
   QString explanation() const override;
   QString subject() const override { return tr("The receptance"); }
   QString fate() const override { return tr("Its results so far are discarded."); }

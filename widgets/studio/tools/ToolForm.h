@@ -52,6 +52,7 @@ class ToolForm : public QWidget {
 
   virtual QString name() const = 0;   // "study": of its folder, its settings and its page of the manual
   virtual QString title() const = 0;  // of its window
+  virtual QString shortTitle() const { return title(); }  // of its tab
   virtual QString explanation() const = 0;
   virtual QString subject() const = 0;  // of a sentence: "The study"
   // What becomes of it when it is stopped.
@@ -61,7 +62,7 @@ class ToolForm : public QWidget {
   virtual QString missing() const { return {}; }     // what is not chosen yet, as a sentence; empty: nothing
   virtual bool usesCase() const { return true; }     // else a case that cannot be run does not matter
   virtual QWidget* view() const { return nullptr; }  // what stands beside text and figures, from the start on
-  virtual QString viewTitle() const { return {}; }   // of its tab
+  virtual QString viewTitle() const { return {}; }   // of the view's tab
   virtual void setStyle(const plots::Style&) {}
   virtual void showCase(const cases::CaseDescription&) {}  // whose values stand beside the options
   virtual void save(QSettings&) const {}

@@ -39,7 +39,7 @@
 namespace squat::studio {
 namespace {
 
-constexpr QSize usualSize(900, 720), sizeWithView(1180, 880);
+constexpr QSize sizeWithoutView(900, 720), sizeWithView(1180, 880);
 
 QString groupOf(const ToolForm& form) { return "tools/" + form.name(); }
 
@@ -109,6 +109,7 @@ ToolWindow::ToolWindow(CaseDocument& document, ToolForm* form, Blocker blocker, 
       blocker_(std::move(blocker)),
       style_(style),
       messages_(new MessageBar(this)),
+      head_(new QHBoxLayout),
       state_(new QLabel(this)),
       case_(new QLabel(this)),
       folder_(new QLineEdit(this)),
@@ -121,14 +122,13 @@ ToolWindow::ToolWindow(CaseDocument& document, ToolForm* form, Blocker blocker, 
       text_(makeText(tr("Result"), tabs_)),
       log_(makeText(tr("Log"), tabs_)) {
   setObjectName(form_->name() + "Window");
-  setWindowTitle(form_->title());
+  setWindowTitle(tr("%1 - Squat Studio").arg(form_->title()));
   form_->setParent(this);
   makeOptions();
   QSettings settings;
   settings.beginGroup(groupOf(*form_));
   form_->restore(settings);
-  resize((form_->view() ? sizeWithView : usualSize).boundedTo(screen()->availableSize()));
-  restoreGeometry(settings.value("geometry").toByteArray());
+  resize(usualSize());
   connect(&document_, &CaseDocument::changed, this, &ToolWindow::showCase);
   connect(&document_, &CaseDocument::titleChanged, this, &ToolWindow::showCase);
   connect(form_, &ToolForm::edited, this, &ToolWindow::showNextStep);
@@ -145,7 +145,7 @@ ToolWindow::ToolWindow(CaseDocument& document, ToolForm* form, Blocker blocker, 
   connect(&job_, &BackgroundJob::stopping, this, &ToolWindow::showState);
   connect(&job_, &BackgroundJob::news, this, &ToolWindow::showNews);
   connect(&job_, &BackgroundJob::ended, this, &ToolWindow::conclude);
-  connect(new QShortcut(QKeySequence::Close, this), &QShortcut::activated, this, &QWidget::hide);
+  connect(new QShortcut(QKeySequence::Close, this), &QShortcut::activated, this, &QWidget::close);
   connect(new QShortcut(QKeySequence::HelpContents, this), &QShortcut::activated, this, &ToolWindow::helpRequested);
   addPaneKeys(*this, [this] { return std::vector<QWidget*>{form_, tabs_}; });
   showCase();
@@ -170,13 +170,16 @@ void ToolWindow::makeOptions() {
   auto* where = new QHBoxLayout;
   auto* label = new QLabel(tr("Fol&der:"), this);
   label->setBuddy(folder_);
+  where->addWidget(case_);
+  where->addSpacing(12);
   where->addWidget(label);
   where->addWidget(folder_, 1);
   where->addWidget(browse);
   makeResults();
+  head_->addWidget(words, 1);
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(words);
-  layout->addWidget(case_);
+  layout->setContentsMargins(9, 4, 9, 4);
+  layout->addLayout(head_);
   layout->addWidget(form_);
   layout->addLayout(where);
   layout->addWidget(makeBar());
@@ -236,7 +239,10 @@ void ToolWindow::setProject(const QString& path) {
 
 void ToolWindow::showCase() {
   form_->showCase(document_.description());
-  case_->setText(tr("Case: %1").arg(document_.name()));
+  constexpr int letters = 30;  // of a name that leaves room for the folder
+  const int room = case_->fontMetrics().horizontalAdvance(QString(letters, 'x'));
+  case_->setText(tr("Case: %1").arg(case_->fontMetrics().elidedText(document_.name(), Qt::ElideMiddle, room)));
+  case_->setToolTip(document_.name());
   if (!ownFolder_ && !isBusy()) folder_->setText(usualFolder());
 }
 
@@ -420,10 +426,15 @@ void ToolWindow::setStyle(const plots::Style& style) {
   if (!isBusy() && result_ && result_->complete) showFigures();
 }
 
+void ToolWindow::setCorner(QWidget* corner) { head_->addWidget(corner, 0, Qt::AlignTop); }
+
+QSize ToolWindow::usualSize() const {
+  return (form_->view() ? sizeWithView : sizeWithoutView).boundedTo(screen()->availableSize());
+}
+
 void ToolWindow::saveOptions() const {
   QSettings settings;
   settings.beginGroup(groupOf(*form_));
-  settings.setValue("geometry", saveGeometry());
   form_->save(settings);
 }
 
@@ -437,6 +448,12 @@ void ToolWindow::resizeEvent(QResizeEvent* event) {
 void ToolWindow::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::ActivationChange) takeFigureSize();
+}
+
+// The tab may have been behind another one when the window was activated.
+void ToolWindow::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  takeFigureSize();
 }
 
 void ToolWindow::hideEvent(QHideEvent* event) {

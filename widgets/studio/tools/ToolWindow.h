@@ -1,4 +1,4 @@
-// widgets/studio/tools/ToolWindow.h - the window of a tool: options, progress, what came out as text and figures.
+// widgets/studio/tools/ToolWindow.h - a tool: options, progress, what came out as text and figures. A tab or a window.
 #pragma once
 
 #include <QWidget>
@@ -11,6 +11,7 @@
 #include "studio/runs/BackgroundJob.h"
 #include "studio/tools/ToolForm.h"
 
+class QBoxLayout;
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
@@ -46,6 +47,8 @@ class ToolWindow : public QWidget {
   QString text() const;            // what came out
   MessageBar* messages() const { return messages_; }
   void setStyle(const plots::Style& style);
+  void setCorner(QWidget* corner);  // shown at the top, at the right
+  QSize usualSize() const;          // of a window of its own
 
  Q_SIGNALS:
   void progressed();  // progress() has changed
@@ -57,6 +60,7 @@ class ToolWindow : public QWidget {
   void ended();  // whether it was finished, cancelled or failed; its files are written
 
  protected:
+  void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
   void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
@@ -84,6 +88,7 @@ class ToolWindow : public QWidget {
   Blocker blocker_;
   plots::Style style_;
   MessageBar* messages_;
+  QBoxLayout* head_;
   QLabel *state_, *case_;
   QLineEdit* folder_;
   QPushButton *start_, *cancel_, *openCase_, *openFolder_;

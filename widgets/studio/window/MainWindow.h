@@ -38,6 +38,7 @@ class RunPanel;
 class RunsPanel;
 class ScenePanel;
 class SignalsPanel;
+class ToolTabs;
 class ToolWindow;
 
 enum class Answer { save, discard, cancel };
@@ -94,6 +95,7 @@ class MainWindow : public QMainWindow {
   RunReader* reader() const { return reader_; }
   NotesPanel* notes() const { return notes_; }
   ToolWindow* tool(const QString& name);  // "study", "squats", ...; made when it is first asked for
+  ToolTabs* toolTabs();                   // that hold them; made with the first one
   bool saveCase();
   bool saveCaseAs();
   bool saveCaseTo(const QString& path);
@@ -103,7 +105,7 @@ class MainWindow : public QMainWindow {
   bool saveResultTo(int row, const QString& path);
   void startRun() { beginRun(false); }
   void resumeRun() { beginRun(true); }  // with the one of this case that was stopped
-  void resetLayout();                   // docks and handles as at the first start
+  void resetLayout();                   // docks, handles and tools as at the first start
   void showTour();
   void offerTour();  // at the first start
   void setDark(bool dark);
@@ -214,6 +216,7 @@ class MainWindow : public QMainWindow {
   QPointer<HelpWindow> help_;
   QPointer<AlignDialog> align_;
   QPointer<QuickTour> tour_;
+  ToolTabs* toolTabs_ = nullptr;
   std::map<QString, ToolWindow*> tools_;
   ParameterForm* form_;
   ProfileEditor* profile_;

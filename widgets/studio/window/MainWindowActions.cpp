@@ -247,7 +247,7 @@ QString MainWindow::helpOfFocus() const {
       {signals_, "studio.md#signals"},  {run_, "running.md#what-a-run-writes"},
       {runs_, "studio.md#runs"},        {comparison_, "studio.md#comparison"}};
   for (const auto& [name, window] : tools_)
-    if (window->isActiveWindow())
+    if (window->isVisible() && window->isActiveWindow())
       return name == "squats" || name == "estimate" ? "studio.md#long-records"
                                                     : "studio.md#studies-calibration-and-receptance";
   for (const QWidget* widget = QApplication::focusWidget(); widget; widget = widget->parentWidget()) {

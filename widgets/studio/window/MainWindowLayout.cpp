@@ -12,6 +12,7 @@
 #include "studio/document/ParameterForm.h"
 #include "studio/runs/RunPanel.h"
 #include "studio/runs/RunsPanel.h"
+#include "studio/tools/ToolTabs.h"
 #include "studio/window/MainWindow.h"
 
 namespace squat::studio {
@@ -73,6 +74,7 @@ void MainWindow::resetLayout() {
     splitter->setSizes(sizes);
   }
   shareWidth();
+  toolTabs()->reset();
 }
 
 void MainWindow::takeLayout() {

@@ -38,6 +38,7 @@
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/SignalsPanel.h"
 #include "studio/tools/DetectionForm.h"
+#include "studio/tools/ToolTabs.h"
 #include "studio/tools/ToolWindow.h"
 #include "studio/window/MainWindow.h"
 #include "studio/window/RecentFiles.h"
@@ -119,7 +120,7 @@ QStringList MainWindow::shownTabs() const {
   names << (middle == scene_ ? "model" : middle == paper_ ? "paper" : middle == notes_ ? "notes" : "profile");
   names << (right_->currentWidget() == previewPanel_ ? QString("preview") : signals_->currentTab());
   if (comparison_->isVisible()) names << "comparison";
-  if (const ToolWindow* records = recordsWindow(); records && records->isVisible()) names << recordsTool;
+  if (const ToolWindow* records = recordsWindow(); records && toolTabs_->isOpen(*records)) names << recordsTool;
   return names;
 }
 

@@ -1,4 +1,4 @@
-// The windows of studies, calibration, receptance, records and estimates, and what comes out of them.
+// The tools: studies, calibration, receptance, records and estimates, and what comes out of them.
 #include <QAction>
 #include <QMenu>
 
@@ -14,6 +14,7 @@
 #include "studio/tools/ReceptanceForm.h"
 #include "studio/tools/StudyForm.h"
 #include "studio/tools/TargetList.h"
+#include "studio/tools/ToolTabs.h"
 #include "studio/tools/ToolWindow.h"
 #include "studio/window/MainWindow.h"
 
@@ -52,6 +53,11 @@ void MainWindow::makeToolActions(QMenu& menu) {
       tr("Find the profile that explains measured signals"));
 }
 
+ToolTabs* MainWindow::toolTabs() {
+  if (!toolTabs_) toolTabs_ = new ToolTabs(this);
+  return toolTabs_;
+}
+
 ToolWindow* MainWindow::tool(const QString& name) {
   ToolWindow*& window = tools_[name];
   if (window) return window;
@@ -60,7 +66,8 @@ ToolWindow* MainWindow::tool(const QString& name) {
     takeWhatIsTyped();
     return form_->blockers().value(0);
   };
-  window = new ToolWindow(document_, formOf(name, store_, style), blocker, style, this);
+  window = new ToolWindow(document_, formOf(name, store_, style), blocker, style);
+  toolTabs()->add(window);
   window->setProject(keeper_->path());
   connect(keeper_, &ProjectKeeper::openChanged, window, [this, window] { window->setProject(keeper_->path()); });
   connect(window, &ToolWindow::progressed, this, &MainWindow::showJobs);
@@ -88,12 +95,7 @@ ToolWindow* MainWindow::tool(const QString& name) {
   return window;
 }
 
-void MainWindow::showTool(const QString& name) {
-  ToolWindow* window = tool(name);
-  window->show();
-  window->raise();
-  window->activateWindow();
-}
+void MainWindow::showTool(const QString& name) { toolTabs()->open(*tool(name)); }
 
 void MainWindow::showJobs() {
   std::vector<Job> jobs;
