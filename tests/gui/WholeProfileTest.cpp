@@ -13,8 +13,7 @@
 
 #include "case/CaseFile.h"
 #include "case/RightSide.h"
-#include "studio/document/CaseDocument.h"
-#include "studio/profile/ProfileEditor.h"
+#include "gui/EditorOfProfile.h"
 #include "studio/profile/ProfilePlot.h"
 
 namespace squat::studio {
@@ -23,18 +22,9 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-class WholeProfile : public testing::Test {
+class WholeProfile : public tests::EditorOfProfile {
  protected:
-  void SetUp() override {
-    cases::CaseDescription description = cases::defaultCase();
-    description.extent = cases::ModelExtent::whole;
-    description.defect.shape = cases::DefectShape::profile;
-    description.defect.points = {{-0.04, 0}, {-0.02, -5e-5}, {0, -1.5e-4}, {0.02, -5e-5}, {0.04, 0}};
-    document_.startFrom(description, QString(), "test", false);
-    editor_.resize(900, 600);
-    editor_.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&editor_));
-  }
+  void SetUp() override { ASSERT_NO_FATAL_FAILURE(openFivePoints(cases::ModelExtent::whole)); }
   QComboBox* side() { return editor_.findChild<QComboBox*>("profileSide"); }
   bool type(int row, const char* height) {
     auto* model = editor_.table()->model();
@@ -57,8 +47,6 @@ class WholeProfile : public testing::Test {
     for (const auto& point : points) all.emplace_back(point.position, point.height);
     return all;
   }
-  CaseDocument document_;
-  ProfileEditor editor_{document_, plots::lightStyle()};
 };
 
 TEST_F(WholeProfile, aHalfModelHasNoChoiceOfSides) {
