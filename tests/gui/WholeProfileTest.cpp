@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <QComboBox>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QTableView>
 #include <QTest>
@@ -14,6 +15,7 @@
 #include "case/CaseFile.h"
 #include "case/RightSide.h"
 #include "gui/EditorOfProfile.h"
+#include "studio/profile/EditedDefect.h"
 #include "studio/profile/ProfilePlot.h"
 
 namespace squat::studio {
@@ -121,6 +123,30 @@ TEST_F(WholeProfile, pointsOfTheRightSideAreKeptInTheCase) {
   editor_.plot()->choose(3);
   EXPECT_TRUE(type(3, "-12"));
   EXPECT_EQ(editor_.plot()->chosen(), std::optional<std::size_t>(3));
+}
+
+// A metre of depth is beyond what a case may have. It would be lost without a word.
+TEST_F(WholeProfile, whatTheCaseRefusesIsSaid) {
+  auto* edited = editor_.findChild<EditedDefect*>();
+  ASSERT_NE(edited, nullptr);
+  const QSignalSpy said(&editor_, &ProfileEditor::failed), shownAnew(edited, &EditedDefect::changed);
+  side()->setCurrentIndex(1);
+  const auto before = shownAnew.count();
+  cases::CaseDescription after = edited->description();
+  after.defect.depth = 1;
+  edited->edit("Change defect.depth", after);
+  ASSERT_EQ(said.count(), 1);
+  EXPECT_TRUE(said[0][0].toString().contains("right.defect.depth is 1000")) << said[0][0].toString().toStdString();
+  EXPECT_EQ(shownAnew.count(), before + 1) << "sliders go back to what the case says";
+  EXPECT_THAT(stated(), IsEmpty());
+  edited->setParameter("defect.depth", "deep");
+  ASSERT_EQ(said.count(), 2);
+  EXPECT_TRUE(said[1][0].toString().contains("right.defect.depth is deep")) << said[1][0].toString().toStdString();
+  side()->setCurrentIndex(0);
+  edited->setParameter("defect.depth", "deep");
+  ASSERT_EQ(said.count(), 3);
+  EXPECT_TRUE(said[2][0].toString().contains(" defect.depth is deep")) << said[2][0].toString().toStdString();
+  EXPECT_EQ(document_.undoStack().count(), 0);
 }
 
 // Another case is first seen on the left, as a half model would be.
