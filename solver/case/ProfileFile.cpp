@@ -59,21 +59,21 @@ void turnDepths(const ProfileTable& table, std::vector<ProfilePoint>& points) {
   for (auto& point : points) point.height = point.height == 0 ? 0 : -point.height;
 }
 
-// A scan with more points than a case may have keeps the stretch that is asked for.
-void cut(const ProfileTable& table, std::vector<ProfileLine>& lines, const Defect& asked) {
+// A scan of a defect with more points than a case may have keeps the stretch that is asked for.
+void cut(const ProfileTable& table, std::vector<ProfileLine>& lines, const std::optional<Defect>& asked) {
   const auto tooMany = [&] { return lines.size() * lines.front().points.size() > maximumPoints; };
   if (!tooMany()) return;
   const auto whole = lines.front().points;
   const auto outside = [&](const ProfilePoint& point) {
-    return point.position < asked.from || point.position > asked.to;
+    return point.position < asked->from || point.position > asked->to;
   };
-  if (asked.from < asked.to)
+  if (asked && asked->from < asked->to)
     for (auto& line : lines) std::erase_if(line.points, outside);
   if (tooMany())
     table.fail(0,
                std::to_string(table.lines.size()) + " rows, and a profile has at most " +
                    std::to_string(maximumPoints) + " points",
-               stretchAdvice(whole));
+               asked ? stretchAdvice(whole) : "Keep every second line or fewer, or the stretch that is needed");
   if (lines.front().points.size() < 2)
     table.fail(0, "has fewer than two points between defect.from and defect.to",
                "Its positions are " + text::numberText(whole.front().position) + " to " +
@@ -81,7 +81,7 @@ void cut(const ProfileTable& table, std::vector<ProfileLine>& lines, const Defec
 }
 
 // What must hold of the numbers of a profile, whatever table they stood in.
-std::vector<ProfileLine> linesOf(const ProfileTable& table, const Defect& asked) {
+std::vector<ProfileLine> linesOf(const ProfileTable& table, const std::optional<Defect>& asked) {
   const auto at = positionsOf(table);
   std::vector<ProfileLine> all;
   for (std::size_t i = 0; i < table.heights.size(); ++i) {
@@ -97,19 +97,21 @@ std::vector<ProfileLine> linesOf(const ProfileTable& table, const Defect& asked)
 
 }  // namespace
 
-std::vector<ProfileLine> parseProfileLines(std::string_view text, const std::string& origin, const Defect& asked) {
-  return linesOf(profileTable(text, origin, asked.filter != ProfileFilter::none), asked);
+std::vector<ProfileLine> parseProfileLines(std::string_view text, const std::string& origin,
+                                           const std::optional<Defect>& asked) {
+  return linesOf(profileTable(text, origin, asked), asked);
 }
 
-std::vector<ProfileLine> readProfileLines(const std::filesystem::path& path, const Defect& asked) {
+std::vector<ProfileLine> readProfileLines(const std::filesystem::path& path, const std::optional<Defect>& asked) {
   return parseProfileLines(readWholeFile(path.string(), largestProfileFile), path.string(), asked);
 }
 
-std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string& origin, const Defect& asked) {
+std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string& origin,
+                                       const std::optional<Defect>& asked) {
   auto lines = parseProfileLines(text, origin, asked);
   if (lines.size() > 1)
     throw FileError(origin, "", std::to_string(lines.size()) + " profiles side by side where one is expected",
-                    "Give it as defect.file of a case, or keep one column of heights");
+                    "Keep one column of heights");
   return std::move(lines.front().points);
 }
 

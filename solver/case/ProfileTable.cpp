@@ -22,6 +22,7 @@ namespace {
 
 constexpr const char* exampleHeader = "Write a header such as: position [mm]; height [mm]";
 constexpr const char* twoPoints = "Give at least two lines of position and height";
+constexpr const char* wholeLines = "Give position and height on each line";
 constexpr const char* leaveOutAdvice =
     "Give position and height on each line, or set defect.filter, which leaves such lines out";
 
@@ -77,7 +78,10 @@ std::string columnsWhere(std::size_t count, std::size_t expected) {
 // One text on its way from a table to lengths.
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& origin, bool leavesOut) : text_(text), leavesOut_(leavesOut) {
+  Reader(std::string_view text, const std::string& origin, const std::optional<Defect>& asked)
+      : text_(text),
+        leavesOut_(asked && asked->filter != ProfileFilter::none),
+        wholeLines_(asked ? leaveOutAdvice : wholeLines) {
     result_.origin = origin;
   }
 
@@ -173,7 +177,7 @@ class Reader {
     if (mixed) fail(line, bad + ": mixed decimal points and commas", "Use one of them, without thousands separators");
     const bool missing = bad.front() != '\'' || text::isMissing(std::string_view(bad).substr(1, bad.size() - 2));
     if (!missing) fail(line, bad + " is not a number", "Write plain decimal numbers");
-    if (!leavesOut_) fail(line, "missing number: " + bad, leaveOutAdvice);
+    if (!leavesOut_) fail(line, "missing number: " + bad, wholeLines_);
   }
 
   // A usual mark for no value, where all other values are far smaller.
@@ -197,7 +201,7 @@ class Reader {
       for (std::size_t row = 0; row < column.values.size(); ++row) {
         if (std::abs(column.values[row]) != absent) continue;
         if (!leavesOut_)
-          fail(table_.lines[row], "height " + column.written(row) + " stands for no value, it seems", leaveOutAdvice);
+          fail(table_.lines[row], "height " + column.written(row) + " stands for no value, it seems", wholeLines_);
         column.values[row] = std::nan("");
       }
     }
@@ -219,6 +223,7 @@ class Reader {
 
   std::string_view text_;
   bool leavesOut_;
+  const char* wholeLines_;  // what to do with a line that is not whole
   text::TableLayout layout_;
   text::DelimitedTable table_;
   ProfileTable result_;
@@ -236,8 +241,8 @@ std::string LengthColumn::written(std::size_t row) const {
   return text::numberText(values[row]) + " " + text::printedUnit(unit);
 }
 
-ProfileTable profileTable(std::string_view text, const std::string& origin, bool leavesOut) {
-  return Reader(text, origin, leavesOut).read();
+ProfileTable profileTable(std::string_view text, const std::string& origin, const std::optional<Defect>& asked) {
+  return Reader(text, origin, asked).read();
 }
 
 }  // namespace squat::cases

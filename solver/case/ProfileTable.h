@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "case/CaseDescription.h"
 
 namespace squat::cases {
 
@@ -30,8 +33,8 @@ struct ProfileTable {
   [[noreturn]] void fail(std::size_t line, const std::string& what, const std::string& advice) const;
 };
 
-// Rules and errors: ProfileFile.h. `leavesOut`: rows without all their numbers do not count; otherwise the first is an
-// error.
-ProfileTable profileTable(std::string_view text, const std::string& origin, bool leavesOut);
+// Rules and errors: ProfileFile.h. Of a defect with a filter, rows without all their numbers do not count; otherwise
+// the first is an error.
+ProfileTable profileTable(std::string_view text, const std::string& origin, const std::optional<Defect>& asked);
 
 }  // namespace squat::cases

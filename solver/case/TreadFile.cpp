@@ -8,6 +8,8 @@
 
 #include "case/ProfileFile.h"
 #include "core/DurableFile.h"
+#include "core/Errors.h"
+#include "text/DelimitedTable.h"
 #include "text/Lines.h"
 #include "text/Text.h"
 
@@ -22,17 +24,17 @@ struct AngleUnit {
   double radians = 0;
 };
 
-// The unit of an angle at the end of the first field of the heading; nothing where it is none.
-std::optional<AngleUnit> angleUnitOf(std::string_view text, const std::string& origin) {
-  text::Lines lines(text, origin, "Export the deviation as CSV");
-  std::string_view heading;
-  if (!lines.nextRow(heading)) return std::nullopt;
-  std::string_view field = heading.substr(0, heading.find_first_of(",;\t"));
+enum class Row { heading, units };
+
+// The unit of an angle at the end of the first field of a heading, or alone in that of a row of units.
+std::optional<AngleUnit> angleUnitIn(std::string_view row, Row kind, std::string_view text) {
+  std::string_view field = row.substr(0, row.find_first_of(",;\t"));
   while (!field.empty() && std::string_view("\" \r])").find(field.back()) != std::string_view::npos)
     field.remove_suffix(1);
-  const std::size_t before = field.find_last_of("[( _/");
-  if (before == std::string_view::npos) return std::nullopt;
-  const std::string_view unit = field.substr(before + 1);
+  const std::size_t from = field.find_last_of("[( _/\"") + 1;  // of what is not found: 0
+  if (kind == Row::units && field.substr(0, from).find_first_not_of("[( \"") != std::string_view::npos)
+    return std::nullopt;
+  const std::string_view unit = field.substr(from);
   constexpr double degree = std::numbers::pi / 180;
   constexpr std::array<std::pair<std::string_view, double>, 7> angles{{{"rad", 1},
                                                                        {"radian", 1},
@@ -44,6 +46,25 @@ std::optional<AngleUnit> angleUnitOf(std::string_view text, const std::string& o
   for (const auto& [name, radians] : angles)
     if (text::lowerCase(unit) == name)
       return AngleUnit{static_cast<std::size_t>(unit.data() - text.data()), unit.size(), radians};
+  return std::nullopt;
+}
+
+// Above the heading may stand other lines, below it a row of units. Nothing where positions are no angles, or where no
+// table is found: whoever reads the profile says why.
+std::optional<AngleUnit> angleUnitOf(std::string_view text, const std::string& origin) {
+  std::size_t heading = 0, end = 0;  // lines from 1, where the heading and the last row above the numbers stand
+  try {
+    const auto layout = text::layoutOf(text, origin, 0, 0);
+    heading = layout.headLine, end = layout.firstLine;
+  } catch (const FileError&) {
+    return std::nullopt;
+  }
+  text::Lines lines(text, origin, "Export the deviation as CSV");
+  for (std::string_view row; lines.next(row) && lines.number() <= end;) {
+    if (lines.number() < heading) continue;
+    const Row kind = heading == 0 || lines.number() == heading ? Row::heading : Row::units;
+    if (const auto unit = angleUnitIn(row, kind, text)) return unit;
+  }
   return std::nullopt;
 }
 

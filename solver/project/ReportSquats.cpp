@@ -13,6 +13,7 @@ namespace {
 using text::fixedText;
 
 bool isSquat(const ListedEvent& event) { return event.kind == "squat"; }
+bool isNoSquat(const ListedEvent& event) { return !isSquat(event); }
 
 std::string percent(double share) { return fixedText(100 * share, 0) + " %"; }
 
@@ -25,6 +26,11 @@ std::string lengthText(const ListedEvent& event) {
   return sizeText(event.length, event.lengthLow, event.lengthHigh, 0);
 }
 std::string depthText(const ListedEvent& event) { return sizeText(event.depth, event.depthLow, event.depthHigh, 2); }
+
+// Of a wavy stretch; empty of what is in one place.
+std::string stretchText(const ListedEvent& event) {
+  return event.extent > 0 ? fixedText(event.extent, 1) : std::string();
+}
 
 // "right, 70 % sure"; empty where nobody knows.
 std::string railText(const ListedEvent& event) {
@@ -88,6 +94,33 @@ ReportTable factsOf(const ListedEvent& event, const std::string& seenAs) {
   return table;
 }
 
+struct EventColumn {
+  const char* heading;
+  std::string (*text)(const ListedEvent&);
+};
+constexpr EventColumn sureColumn{"sure", [](const ListedEvent& event) { return percent(event.sureness); }};
+constexpr EventColumn peakColumn{"largest acceleration [m/s²]",
+                                 [](const ListedEvent& event) { return text::roundedText(event.peak); }};
+
+// A row for each event of a kind: place and rail, what the columns say, and the user's label. Columns in which nothing
+// stands are left out.
+ReportTable tableOf(const Report& report, const char* heading, bool (*isListed)(const ListedEvent&),
+                    const std::vector<EventColumn>& columns) {
+  ReportTable table{heading, {"place [m]", "rail"}, {}};
+  for (const auto& column : columns) table.columns.emplace_back(column.heading);
+  table.columns.emplace_back("label");
+  const auto seen = seenAtEvents(report);
+  for (std::size_t i = 0; i < report.events.events.size(); ++i) {
+    const auto& event = report.events.events[i];
+    if (!isListed(event)) continue;
+    auto& row = table.rows.emplace_back(std::vector<std::string>{fixedText(event.position, 2), event.side});
+    for (const auto& column : columns) row.push_back(column.text(event));
+    row.push_back(seen[i]);
+  }
+  dropEmptyColumns(table);
+  return table;
+}
+
 // Places of squats in the list; of too many for a page each, those with the largest accelerations.
 std::vector<std::size_t> squatsToShow(const std::vector<ListedEvent>& events) {
   std::vector<std::size_t> places;
@@ -104,20 +137,14 @@ std::vector<std::size_t> squatsToShow(const std::vector<ListedEvent>& events) {
 }  // namespace
 
 ReportTable squatList(const Report& report) {
-  ReportTable table{"Squats",
-                    {"place [m]", "rail", "severity", "sure", "length (90 % range)", "depth (90 % range)",
-                     "largest acceleration [m/s²]", "label"},
-                    {}};
-  const auto seen = seenAtEvents(report);
-  for (std::size_t i = 0; i < report.events.events.size(); ++i) {
-    const auto& event = report.events.events[i];
-    if (!isSquat(event)) continue;
-    table.rows.push_back({fixedText(event.position, 2), event.side, event.severity, percent(event.sureness),
-                          lengthText(event), depthText(event), text::roundedText(event.peak), seen[i]});
-  }
+  auto table = tableOf(report, "Squats", isSquat,
+                       {{"severity", [](const auto& event) { return event.severity; }},
+                        sureColumn,
+                        {"length (90 % range)", lengthText},
+                        {"depth (90 % range)", depthText},
+                        peakColumn});
   if (table.rows.size() > squatsWithPages)
     table.heading += " (the " + std::to_string(squatsWithPages) + " loudest have a page each)";
-  dropEmptyColumns(table);
   return table;
 }
 
@@ -132,20 +159,12 @@ std::vector<ReportSquat> squatPages(const Report& report) {
 }
 
 ReportTable otherEvents(const Report& report) {
-  ReportTable table{"Other events",
-                    {"place [m]", "rail", "kind", "sure", "length of the stretch [m]", "largest acceleration [m/s²]",
-                     "decided by", "label"},
-                    {}};
-  const auto seen = seenAtEvents(report);
-  for (std::size_t i = 0; i < report.events.events.size(); ++i) {
-    const auto& event = report.events.events[i];
-    if (isSquat(event)) continue;
-    table.rows.push_back({fixedText(event.position, 2), event.side, event.kind, percent(event.sureness),
-                          event.extent > 0 ? fixedText(event.extent, 1) : std::string(), text::roundedText(event.peak),
-                          event.reason, seen[i]});
-  }
-  dropEmptyColumns(table);
-  return table;
+  return tableOf(report, "Other events", isNoSquat,
+                 {{"kind", [](const auto& event) { return event.kind; }},
+                  sureColumn,
+                  {"length of the stretch [m]", stretchText},
+                  peakColumn,
+                  {"decided by", [](const auto& event) { return event.reason; }}});
 }
 
 }  // namespace squat::project

@@ -27,6 +27,15 @@ std::optional<AxisRange> rangeIn(const JsonNode& node, const char* axis) {
   return read;
 }
 
+// A scale of a later program would be lost when the project is saved.
+analysis::SpectrumScale scaleIn(const JsonNode& node) {
+  const auto scale = analysis::spectrumScaleNamed(node.text());
+  if (scale) return *scale;
+  std::string known;
+  for (const auto name : analysis::spectrumScaleNames) known += (known.empty() ? "" : ", ") + std::string(name);
+  node.fail("is no scale of a spectrum that this program knows: " + known);
+}
+
 }  // namespace
 
 Json jsonOf(const FigureViews& figures) {
@@ -57,7 +66,7 @@ FigureViews figuresIn(const JsonNode& node) {
   settings.cutoff = node.at("cutoff").number(0, highest);
   settings.section = {node.at("from").number(-farthest, farthest), node.at("to").number(-farthest, farthest)};
   settings.window = node.at("window").text();
-  settings.spectrum = analysis::spectrumScaleNamed(node.at("scale").text()).value_or(analysis::SpectrumScale::linear);
+  settings.spectrum = scaleIn(node.at("scale"));
   settings.colours = node.at("colours").text();
   settings.moment = node.at("moment").whole(-1, largest);
   settings.segment = static_cast<std::size_t>(node.at("segment").whole(1, largest));

@@ -32,7 +32,7 @@ void expectDip(const std::string& text) {
 
 std::string refusalOfProfile(const std::string& text) {
   try {
-    parseProfile(text, "p.csv");
+    parseProfile(text, "p.csv", Defect());
   } catch (const FileError& error) {
     EXPECT_EQ(error.path(), "p.csv");
     return error.what();
@@ -246,6 +246,22 @@ TEST(ProfileFile, LongScansNameTheStretchToTake) {
   EXPECT_EQ(points.front().position, 107.05);
   asked.from = 200, asked.to = 201;
   EXPECT_THROW(parseProfile(text, "p.csv", asked), FileError);
+}
+
+// Heights of an irregularity and of a tread are read in the same way, and have none of its keys.
+TEST(ProfileFile, AdviceNamesKeysOfADefectForADefectAlone) {
+  std::string longScan = "position [mm];height [mm]\n";
+  for (int i = 0; i <= 80000; ++i) longScan += std::to_string(i) + (i == 40000 ? ";-0.1\n" : ";0\n");
+  for (const auto& text : {std::string("position [mm];height [mm]\n0;0\n1;\n2;0\n"),
+                           std::string("position [mm];height [mm]\n0;0\n1;-0.1\n2;-9999\n3;0\n4;0.1\n"), longScan}) {
+    EXPECT_THAT(refusalOfProfile(text), HasSubstr("defect."));
+    try {
+      parseProfile(text, "p.csv");
+      ADD_FAILURE() << "taken: " << text.substr(0, 80);
+    } catch (const FileError& error) {
+      EXPECT_THAT(error.what(), Not(HasSubstr("defect")));
+    }
+  }
 }
 
 // Several profiles side by side: the headers name their lateral positions.

@@ -169,6 +169,12 @@ TEST(TreadFile, ReadsArcAngleAndLines) {
     const auto lines = parseTreadLines(std::string(heading) + "\n-1; 0\n0; -0.5\n1; 0\n", "x", treadRadius);
     EXPECT_DOUBLE_EQ(lines[0].points[2].position, std::numbers::pi / 180 * treadRadius) << heading;
   }
+  for (const char* above : {"Axle 3, left wheel\n\nangle [deg]; deviation [mm]", "angle; deviation\ndeg; mm",
+                            "# 5 deg; remark\nangle [deg]; deviation [mm]", "angle; deviation\n[\xC2\xB0]; [mm]"}) {
+    const auto scanned = parseTreadLines(std::string(above) + "\n-1; 0\n0; -0.5\n1; 0\n", "x", treadRadius);
+    EXPECT_DOUBLE_EQ(scanned[0].points[2].position, std::numbers::pi / 180 * treadRadius) << above;
+    EXPECT_DOUBLE_EQ(scanned[0].points[1].height, -0.5e-3) << above;
+  }
   const auto lines =
       parseTreadLines("angle [rad]; y = -10 mm [um]; y = 10 mm [um]\n0; 0; 0\n0.1; -100; -50\n", "x", treadRadius);
   ASSERT_EQ(lines.size(), 2u);

@@ -20,27 +20,19 @@
 #include <optional>
 
 #include "case/ParameterTable.h"
+#include "gui/EditorOfProfile.h"
 #include "gui/Hands.h"
-#include "plots/Style.h"
 #include "scenario/DefectSurface.h"
-#include "studio/document/CaseDocument.h"
-#include "studio/profile/ProfileEditor.h"
 #include "studio/profile/ProfileModel.h"
 #include "studio/profile/ProfilePlot.h"
 
 namespace squat::studio {
 namespace {
 
-class Editor : public testing::Test {
+class Editor : public tests::EditorOfProfile {
  protected:
   void SetUp() override {
-    cases::CaseDescription description = cases::defaultCase();
-    description.defect.shape = cases::DefectShape::profile;
-    description.defect.points = {{-0.04, 0}, {-0.02, -5e-5}, {0, -1.5e-4}, {0.02, -5e-5}, {0.04, 0}};
-    document_.startFrom(description, QString(), "test", false);
-    editor_.resize(900, 600);
-    editor_.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&editor_));
+    ASSERT_NO_FATAL_FAILURE(openFivePoints(cases::ModelExtent::half));
     editor_.plot()->fit();
     editor_.plot()->replot(QCustomPlot::rpImmediateRefresh);
   }
@@ -78,8 +70,6 @@ class Editor : public testing::Test {
     dialog->findChild<QPushButton*>("takeProfile")->click();
     ASSERT_NEAR(points()[2].height, -9e-5, 1e-12);
   }
-  CaseDocument document_;
-  ProfileEditor editor_{document_, plots::lightStyle()};
 };
 
 TEST_F(Editor, draggingMovesAPointInOneStep) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <QComboBox>
+#include <QSignalSpy>
 #include <QSlider>
 #include <QTableView>
 #include <QTest>
@@ -13,8 +14,8 @@
 
 #include "case/CaseFile.h"
 #include "case/RightSide.h"
-#include "studio/document/CaseDocument.h"
-#include "studio/profile/ProfileEditor.h"
+#include "gui/EditorOfProfile.h"
+#include "studio/profile/EditedDefect.h"
 #include "studio/profile/ProfilePlot.h"
 
 namespace squat::studio {
@@ -23,18 +24,9 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-class WholeProfile : public testing::Test {
+class WholeProfile : public tests::EditorOfProfile {
  protected:
-  void SetUp() override {
-    cases::CaseDescription description = cases::defaultCase();
-    description.extent = cases::ModelExtent::whole;
-    description.defect.shape = cases::DefectShape::profile;
-    description.defect.points = {{-0.04, 0}, {-0.02, -5e-5}, {0, -1.5e-4}, {0.02, -5e-5}, {0.04, 0}};
-    document_.startFrom(description, QString(), "test", false);
-    editor_.resize(900, 600);
-    editor_.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&editor_));
-  }
+  void SetUp() override { ASSERT_NO_FATAL_FAILURE(openFivePoints(cases::ModelExtent::whole)); }
   QComboBox* side() { return editor_.findChild<QComboBox*>("profileSide"); }
   bool type(int row, const char* height) {
     auto* model = editor_.table()->model();
@@ -57,8 +49,6 @@ class WholeProfile : public testing::Test {
     for (const auto& point : points) all.emplace_back(point.position, point.height);
     return all;
   }
-  CaseDocument document_;
-  ProfileEditor editor_{document_, plots::lightStyle()};
 };
 
 TEST_F(WholeProfile, aHalfModelHasNoChoiceOfSides) {
@@ -133,6 +123,30 @@ TEST_F(WholeProfile, pointsOfTheRightSideAreKeptInTheCase) {
   editor_.plot()->choose(3);
   EXPECT_TRUE(type(3, "-12"));
   EXPECT_EQ(editor_.plot()->chosen(), std::optional<std::size_t>(3));
+}
+
+// A metre of depth is beyond what a case may have. It would be lost without a word.
+TEST_F(WholeProfile, whatTheCaseRefusesIsSaid) {
+  auto* edited = editor_.findChild<EditedDefect*>();
+  ASSERT_NE(edited, nullptr);
+  const QSignalSpy said(&editor_, &ProfileEditor::failed), shownAnew(edited, &EditedDefect::changed);
+  side()->setCurrentIndex(1);
+  const auto before = shownAnew.count();
+  cases::CaseDescription after = edited->description();
+  after.defect.depth = 1;
+  edited->edit("Change defect.depth", after);
+  ASSERT_EQ(said.count(), 1);
+  EXPECT_TRUE(said[0][0].toString().contains("right.defect.depth is 1000")) << said[0][0].toString().toStdString();
+  EXPECT_EQ(shownAnew.count(), before + 1) << "sliders go back to what the case says";
+  EXPECT_THAT(stated(), IsEmpty());
+  edited->setParameter("defect.depth", "deep");
+  ASSERT_EQ(said.count(), 2);
+  EXPECT_TRUE(said[1][0].toString().contains("right.defect.depth is deep")) << said[1][0].toString().toStdString();
+  side()->setCurrentIndex(0);
+  edited->setParameter("defect.depth", "deep");
+  ASSERT_EQ(said.count(), 3);
+  EXPECT_TRUE(said[2][0].toString().contains(" defect.depth is deep")) << said[2][0].toString().toStdString();
+  EXPECT_EQ(document_.undoStack().count(), 0);
 }
 
 // Another case is first seen on the left, as a half model would be.

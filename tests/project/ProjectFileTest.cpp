@@ -161,6 +161,8 @@ TEST(ProjectFile, saysWhatIsWrongAndWhere) {
   EXPECT_EQ(place("\"reference\": 1", "\"reference\": 2"), "/reference");
   EXPECT_EQ(place("\"results/dip.h5\"", "\"\""), "/runs/0/path");
   EXPECT_EQ(place("\"cutoff\": 1250.0", "\"cutoff\": \"low\""), "/figures/cutoff");
+  EXPECT_THAT(refusalOf(with(good, "\"third-octaves\"", "\"sixth-octaves\"")).what(),
+              AllOf(HasSubstr("/figures/scale"), HasSubstr("linear, log, dB, third-octaves")));
   EXPECT_EQ(place("\"moment\": 2", "\"moment\": -2"), "/figures/moment");
   EXPECT_EQ(place("\"segment\": 256", "\"segment\": 0"), "/figures/segment");
   EXPECT_EQ(place("\"hop\": 8", "\"hop\": 0.5"), "/figures/hop");

@@ -74,8 +74,10 @@ QString KeyboardZoom::description() const {
                            ? tr("Plus and minus zoom, left and right move the view, Home shows the whole.")
                            : tr("Plus and minus zoom along the horizontal axis, with Shift along the vertical one; "
                                 "arrow keys move the view, Home shows all.");
-  const QString curves = tr("Digits hide and show the curves of the legend.");
-  return view + ' ' + (keys_.more.isEmpty() ? curves : keys_.more + ' ' + curves);
+  QStringList all{view};
+  if (!keys_.more.isEmpty()) all << keys_.more;
+  if (!keys_.others) all << tr("Digits hide and show the curves of the legend.");
+  return all.join(' ');
 }
 
 bool KeyboardZoom::eventFilter(QObject*, QEvent* event) {
@@ -90,7 +92,8 @@ bool KeyboardZoom::take(const QKeyEvent& event) {
     keys_.showAll();
     return true;
   }
-  if (!modifiers && event.key() >= Qt::Key_1 && event.key() <= Qt::Key_9)
+  if (!modifiers && keys_.others && keys_.others(event.key())) return true;
+  if (!modifiers && !keys_.others && event.key() >= Qt::Key_1 && event.key() <= Qt::Key_9)
     return figure_.toggleCurve(event.key() - Qt::Key_1);
   if (zoomOf(event) != 0 && !(modifiers & ~Qt::ShiftModifier))
     zoom(event);

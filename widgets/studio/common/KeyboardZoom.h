@@ -26,6 +26,8 @@ struct FigureKeys {
   std::function<std::optional<double>()> fixed{};  // place on the abscissa about which it zooms; the middle without one
   std::function<bool()> arrowsAreTaken{};          // as long as it is so, arrows do not move the view
   bool alongOnly = false;                          // the ordinate follows by itself
+  std::function<bool(int key)> others{};           // keys without modifiers that the figure has for itself, true where
+                                                   // it took one; with it, digits hide no curves
   QString more{};                                  // further keys, for the description
 };
 

@@ -46,13 +46,20 @@ void EditedDefect::edit(const QString& what, const cases::CaseDescription& after
     if (parameter.group != "defect" || !cases::mayDiffer(parameter.key)) continue;
     const std::string text = cases::valueText(after, parameter);
     if (text == cases::valueText(document_.right(), parameter)) continue;
-    if (cases::trySetRight(both, parameter.key, text)) return;
+    if (const auto problem = cases::trySetRight(both, parameter.key, text)) return refuse(*problem);
   }
   document_.edit(tr("%1, right side").arg(what), both, gesture);
 }
 
 void EditedDefect::setParameter(const std::string& key, const std::string& text) {
-  document_.setParameter(side_ == Side::right ? std::string(cases::rightGroup) + "." + key : key, text);
+  const std::string ofSide = side_ == Side::right ? std::string(cases::rightGroup) + "." + key : key;
+  if (const auto problem = document_.setParameter(ofSide, text)) refuse(*problem);
+}
+
+// Sliders, numbers and curves that are ahead of the case go back to what it says.
+void EditedDefect::refuse(const CaseProblem& problem) {
+  Q_EMIT changed();
+  Q_EMIT refused(tr("The case stays as it is: %1").arg(QString::fromStdString(toText(problem))));
 }
 
 int EditedDefect::newGesture() { return document_.newGesture(); }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "case/CaseDescription.h"
+#include "core/Errors.h"
 
 namespace squat::studio {
 
@@ -24,8 +25,8 @@ class EditedDefect : public QObject {
   void show(Side side);  // left where there is no other
 
   const cases::CaseDescription& description() const;  // the case with the defect of that side
-  // As those of CaseDocument. Of `after` the defect counts alone on the right. A value that the right side may not have
-  // changes nothing.
+  // As those of CaseDocument. Of `after` the defect counts alone on the right. A value that the case may not have
+  // changes nothing; refused() says why.
   void edit(const QString& what, const cases::CaseDescription& after, int gesture = 0);
   void setParameter(const std::string& key, const std::string& text);
   int newGesture();
@@ -34,9 +35,11 @@ class EditedDefect : public QObject {
   void changed();   // description()
   void replaced();  // by that of another case or side
   void sidesChanged();
+  void refused(const QString& reason);  // an edit, which has changed nothing
 
  private:
   void take();
+  void refuse(const CaseProblem& problem);
   CaseDocument& document_;
   Side side_ = Side::left;
   bool hadBothSides_ = false;

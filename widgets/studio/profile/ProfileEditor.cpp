@@ -70,6 +70,7 @@ ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, 
   connect(defect_, &EditedDefect::changed, this, &ProfileEditor::showNotes);
   connect(defect_, &EditedDefect::sidesChanged, this, &ProfileEditor::showSides);
   connect(defect_, &EditedDefect::replaced, this, &ProfileEditor::showSides);
+  connect(defect_, &EditedDefect::refused, this, &ProfileEditor::failed);
   showSides();
   showNotes();
   // Queued: the table lays out its rows first.

@@ -30,6 +30,8 @@ constexpr std::array marks{
     Mark{Kind::weld, QCPScatterStyle::ssDiamond},   Mark{Kind::corrugation, QCPScatterStyle::ssCross},
     Mark{Kind::flat, QCPScatterStyle::ssCircle},    Mark{Kind::other, QCPScatterStyle::ssPlus}};
 
+QString kindName(Kind kind) { return QString::fromStdString(detection::toText(kind)); }
+
 }  // namespace
 
 RecordStrip::RecordStrip(const plots::Style& style, QWidget* parent)
@@ -72,7 +74,11 @@ void RecordStrip::makeFigure() {
   connect(figure_, &QCustomPlot::mousePress, this, [this](QMouseEvent* event) { pick(event->pos()); });
   connect(figure_, &QCustomPlot::mouseWheel, this, [this] { whole_ = false; });
   const auto* keys = new KeyboardZoom(
-      *figure_, {.showAll = [this] { showWhole(); }, .fixed = [this] { return position_; }, .alongOnly = true});
+      *figure_, {.showAll = [this] { showWhole(); },
+                 .fixed = [this] { return position_; },
+                 .alongOnly = true,
+                 .others = [this](int key) { return eventKeys_ && eventKeys_(key); },
+                 .more = tr("N goes to the next event, P to the one before; 1 to 8 set its label, 0 takes it off.")});
   connect(keys, &KeyboardZoom::moved, this, [this] { whole_ = false; });
   connect(figure_, &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
     if (event->buttons() & Qt::LeftButton) whole_ = false;
@@ -115,6 +121,8 @@ void RecordStrip::follow(const std::shared_ptr<const records::Overview>& overvie
   timer_->start();
   draw();
 }
+
+void RecordStrip::setEventKeys(std::function<bool(int key)> take) { eventKeys_ = std::move(take); }
 
 // Without a report, the record before is shown again: its events stand in the list.
 void RecordStrip::stopFollowing() {
@@ -213,11 +221,16 @@ void RecordStrip::draw() {
   figure_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-// Kinds that the user has hidden in the legend stay hidden.
-void RecordStrip::drawMarks() {
+QStringList RecordStrip::hiddenKinds() const {
   QStringList hidden;
   for (int i = 1; i < figure_->graphCount(); ++i)
     if (!figure_->graph(i)->visible()) hidden << figure_->graph(i)->name();
+  return hidden;
+}
+
+// Kinds that the user has hidden in the legend stay hidden.
+void RecordStrip::drawMarks() {
+  const QStringList hidden = hiddenKinds();
   while (figure_->graphCount() > 1) figure_->removeGraph(figure_->graphCount() - 1);
   if (report_)
     for (std::size_t k = 0; k < marks.size(); ++k) {
@@ -231,7 +244,7 @@ void RecordStrip::drawMarks() {
       if (x.isEmpty()) continue;
       QCPGraph* graph = figure_->addGraph();
       graph->setData(x, y);
-      graph->setName(QString::fromStdString(detection::toText(marks[k].kind)));
+      graph->setName(kindName(marks[k].kind));
       graph->setVisible(!hidden.contains(graph->name()));
       graph->setLineStyle(QCPGraph::lsNone);
       graph->setScatterStyle(QCPScatterStyle(marks[k].shape, style_.curve(k + 1), style_.curve(k + 1), 8));
@@ -240,14 +253,16 @@ void RecordStrip::drawMarks() {
   figure_->showLegend(figure_->graphCount() > 1);
 }
 
+// Only marks that are seen: those of a kind that is hidden are nowhere for the user.
 void RecordStrip::pick(const QPoint& point) {
-  if (!report_) return;
+  if (!report_ || figure_->legendEntryAt(point) >= 0) return;
   constexpr double reach = 12;  // [pixels]
   int nearest = -1;
   double distance = reach;
+  const QStringList hidden = hiddenKinds();
   for (std::size_t i = 0; i < report_->events.size(); ++i) {
     const auto& event = report_->events[i].event;
-    if (QString::fromStdString(event.channel) != channel_) continue;
+    if (QString::fromStdString(event.channel) != channel_ || hidden.contains(kindName(event.kind))) continue;
     const double away = std::hypot(figure_->xAxis->coordToPixel(event.position) - point.x(),
                                    figure_->yAxis->coordToPixel(event.peak) - point.y());
     if (away < distance) distance = away, nearest = static_cast<int>(i);

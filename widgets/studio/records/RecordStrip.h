@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -16,7 +17,7 @@ class QTimer;
 namespace squat::studio {
 
 // The wheel of the mouse or + and - zoom, dragging or arrows scroll; a double click or Home shows the whole. It grows
-// while the record is read.
+// while the record is read. A click on a kind in the legend hides its marks, which cannot be picked then.
 class RecordStrip : public QWidget {
   Q_OBJECT
  public:
@@ -32,6 +33,7 @@ class RecordStrip : public QWidget {
   void show(double position);  // [m]: brings it into the middle, and marks it
   void showWhole();
   void setStyle(const plots::Style& style);
+  void setEventKeys(std::function<bool(int key)> take);  // N, P and digits; true where it took the key
   plots::Figure* figure() const { return figure_; }
 
  Q_SIGNALS:
@@ -49,7 +51,8 @@ class RecordStrip : public QWidget {
   void grow();
   void draw();
   void drawMarks();
-  int place() const;  // of the channel; -1: this record has none of its name
+  QStringList hiddenKinds() const;  // in the legend, by its names
+  int place() const;                // of the channel; -1: this record has none of its name
   void pick(const QPoint& point);
 
   std::shared_ptr<const records::Overview> overview_;
@@ -65,6 +68,7 @@ class RecordStrip : public QWidget {
   QString channel_;
   std::optional<double> position_;
   QTimer* timer_;
+  std::function<bool(int key)> eventKeys_;
   bool whole_ = true;  // the view grows with the record
 };
 

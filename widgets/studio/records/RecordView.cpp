@@ -100,6 +100,7 @@ RecordView::RecordView(const plots::Style& style, QWidget* parent)
   connect(channel_, &QComboBox::textActivated, strip_, &RecordStrip::setChannel);
   connect(strip_, &RecordStrip::eventPicked, this,
           [this](int event) { table_->setCurrentIndex(seen_->mapFromSource(model_->index(event, 0))); });
+  strip_->setEventKeys([this](int key) { return table_->isEnabled() && takesKey(key); });
   connect(model_, &QAbstractItemModel::dataChanged, this, &RecordView::changed);
   connect(model_, &QAbstractItemModel::modelReset, this, &RecordView::showChosen);
   thread_.setMaxThreadCount(1);

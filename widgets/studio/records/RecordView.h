@@ -76,7 +76,7 @@ class RecordView : public QWidget {
   void inspect(int event);  // -1: none
   void askForLabels();
   void openMenu(const QPoint& location);
-  bool takesKey(int key);    // of the list: the next event, the one before, a label by its number
+  bool takesKey(int key);    // of list and strip: the next event, the one before, a label by its number
   void setLabel(int label);  // of the chosen event: its place in EventModel::labels()
   void enableButtons();
 

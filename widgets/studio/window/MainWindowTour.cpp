@@ -41,8 +41,9 @@ void MainWindow::showTour() {
           "even after the program was closed."),
        dock(runDock_)},
       {tr("The signals"),
-       tr("Time history, spectrum, wavelet scalogram and more, a tab each. Drag with the left button to enlarge, with "
-          "the middle button to move. Figures are exported in the size that you choose in the menu Figure."),
+       tr("Acceleration (ABA), spectrum (PSD), scalogram (CWT) and more, a tab each. Drag with the left button to "
+          "enlarge, with the middle button to move. Figures are exported in the size that you choose in the menu "
+          "Figure."),
        tab("aba_position", signalsDock_)},
       {tr("Runs and measured signals"),
        tr("Runs are named by what differs between their cases. Tick some to overlay them, overlay a measured signal "
