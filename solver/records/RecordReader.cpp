@@ -191,7 +191,7 @@ void RecordReader::judgeValues() {
       }
     if (count < 100 || column.unit != "m/s2") continue;
     const double mean = sum / count, rms = std::sqrt(squares / count);
-    // Of a short signal, as of one passage, the mean says nothing about gravity.
+    // The mean of a short signal, such as one passage, is too uncertain to show gravity.
     const double deviation = std::sqrt(std::max(0.0, rms * rms - mean * mean));
     const bool meanIsKnown = deviation / std::sqrt(count) < 0.05 * column.factor;
     const auto note = [&](const std::string& what) {

@@ -19,7 +19,7 @@ struct StudyOptions {
   bool retryFailed = false;                    // run those again that failed before
   std::optional<Partition> part = {};          // only the points of this part, into a table of its own
   std::chrono::milliseconds beat = kPartBeat;  // of the part's lock
-  // Hears of each run on the threads that compute, one at a time; it must not take long.
+  // Called whenever a run begins, advances or ends, on the computing threads, one call at a time. Must return soon.
   StudyWatcher watcher = {};
 };
 

@@ -1,6 +1,6 @@
 // What moves wheel, track and contact calls no function of the system whose last bit differs from one to the next
-// (core/ElementaryFunctions.h). Powers and logarithms are excepted: they stand in levels in dB, in progress, and in the
-// rate law of the yielding layer, whose runs are the same on two systems but for round-off.
+// (core/ElementaryFunctions.h). Powers and logarithms are excepted: levels in dB, progress, the mean height of a
+// tapered sleeper, and the recovery of back-stresses in a yielding layer. Runs with these may differ by round-off.
 #include <gmock/gmock.h>
 
 #include <regex>

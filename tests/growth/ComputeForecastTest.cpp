@@ -23,21 +23,27 @@ struct EndsMonitor : Monitor {
   int ends = 0;
 };
 
-TEST(ComputeForecast, ItsBandIsThatOfTheGrowthsAtItsPoints) {
-  const tests::TemporaryFolder folder;
-  const auto path = folder / "dip.toml";
-  cases::saveCase(tests::growingDefect(), path);
-  GrowthOptions options;
-  options.tonnage = 0.0005 * kilogramsInMegatonne, options.threads = 1;
+class ComputeForecast : public ::testing::Test {
+ protected:
+  ComputeForecast() {
+    cases::saveCase(tests::growingDefect(), path_);
+    options_.tonnage = 0.0005 * kilogramsInMegatonne, options_.threads = 1;
+  }
+  const tests::TemporaryFolder folder_;
+  const std::string path_ = folder_ / "dip.toml";
+  GrowthOptions options_;
+};
+
+TEST_F(ComputeForecast, ItsBandIsThatOfTheGrowthsAtItsPoints) {
   const auto plan =
-      forecastPlan(path, {}, {{"growth.wear_coefficient=5e-5:2e-4"}, 2}, options, folder / "dip-forecast");
+      forecastPlan(path_, {}, {{"growth.wear_coefficient=5e-5:2e-4"}, 2}, options_, folder_ / "dip-forecast");
   EndsMonitor monitor;
   const auto found = forecastGrowth(plan, monitor);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->growths, 2u);
   EXPECT_EQ(monitor.ends, 2);
 
-  auto each = options;
+  auto each = options_;
   each.threads = plan.threads;
   std::vector<std::vector<double>> depths;
   for (const auto& point : studies::gridOf(plan.study)) {
@@ -60,20 +66,15 @@ TEST(ComputeForecast, ItsBandIsThatOfTheGrowthsAtItsPoints) {
   EXPECT_NEAR(same->highest.back(), found->highest.back(), rounding);
 
   try {
-    forecastPlan(path, {}, {{"growth.wear_coefficient=5e-5:3e-4"}, 2}, options, folder / "dip-forecast");
+    forecastPlan(path_, {}, {{"growth.wear_coefficient=5e-5:3e-4"}, 2}, options_, folder_ / "dip-forecast");
     ADD_FAILURE() << "the folder holds other limits";
   } catch (const CaseError& error) {
     EXPECT_THAT(error.problems().front().advice, HasSubstr("another forecast"));
   }
 }
 
-TEST(ComputeForecast, IsNothingWhereItWasCancelled) {
-  const tests::TemporaryFolder folder;
-  const auto path = folder / "dip.toml";
-  cases::saveCase(tests::growingDefect(), path);
-  GrowthOptions options;
-  options.tonnage = 0.0005 * kilogramsInMegatonne, options.threads = 1;
-  const auto plan = forecastPlan(path, {}, {{"contact.friction=0.2:0.4"}, 2}, options, folder / "dip-forecast");
+TEST_F(ComputeForecast, IsNothingWhereItWasCancelled) {
+  const auto plan = forecastPlan(path_, {}, {{"contact.friction=0.2:0.4"}, 2}, options_, folder_ / "dip-forecast");
   struct : Monitor {
     bool cancelled() override { return true; }
   } stopped;

@@ -98,27 +98,27 @@ TEST(Growth, ResumedGrowthHasTheSameBits) {
   options.checkpoint = folder / "growth.checkpoint";
   options.resume = true;
   int stages = 0;
-  std::vector<Growth> seen;
+  std::vector<Growth> reported;
   options.finishedStage = [&](const Stage&) { watcher.stop = ++stages == 2; };
-  options.soFar = [&](const Growth& soFar) { seen.push_back(soFar); };
+  options.soFar = [&](const Growth& soFar) { reported.push_back(soFar); };
   const auto stopped = grow(description, options, watcher);
   EXPECT_FALSE(stopped.complete);
-  ASSERT_EQ(seen.size(), 2u);  // one after each stage
-  EXPECT_EQ(seen[0].stages.size(), 1u);
-  EXPECT_EQ(seen[1].stages, stopped.stages);
-  EXPECT_EQ(seen[1].shapes, stopped.shapes);
-  EXPECT_EQ(seen[1].x, stopped.x);
-  EXPECT_FALSE(seen[1].complete);
-  seen.clear();
+  ASSERT_EQ(reported.size(), 2u);  // one after each stage
+  EXPECT_EQ(reported[0].stages.size(), 1u);
+  EXPECT_EQ(reported[1].stages, stopped.stages);
+  EXPECT_EQ(reported[1].shapes, stopped.shapes);
+  EXPECT_EQ(reported[1].x, stopped.x);
+  EXPECT_FALSE(reported[1].complete);
+  reported.clear();
   watcher.stop = false, options.finishedStage = {};
   const auto resumed = grow(description, options, watcher);
   ASSERT_TRUE(resumed.complete);
   EXPECT_TRUE(resumed.resumed);
   EXPECT_EQ(resumed.stages, whole.stages);
   // From the checkpoint on, the last one with all that has come.
-  ASSERT_FALSE(seen.empty());
-  EXPECT_LT(seen.front().stages.size(), whole.stages.size());
-  EXPECT_EQ(seen.back().stages, whole.stages);
+  ASSERT_FALSE(reported.empty());
+  EXPECT_LT(reported.front().stages.size(), whole.stages.size());
+  EXPECT_EQ(reported.back().stages, whole.stages);
   EXPECT_EQ(resumed.shapes, whole.shapes);
   EXPECT_EQ(resumed.wear, whole.wear);
 

@@ -61,7 +61,7 @@ class CaseDocument : public QObject {
 
   std::shared_ptr<const cases::CaseDescription> current_;
   std::shared_ptr<const cases::CaseDescription> saved_;  // null: what is in the file is none of the steps
-  bool notified_ = false;                                // whether it is modified, to those who listen
+  bool notified_ = false;                                // isModified() when titleChanged() was last emitted
   cases::CaseDescription right_;
   cases::Validation validation_;
   QUndoStack undo_;

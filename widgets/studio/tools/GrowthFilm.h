@@ -28,7 +28,7 @@ class GrowthFilm : public QWidget {
 
   // Of traffic up to `tonnage` [kg]; at its last stage.
   void showGrowth(std::shared_ptr<const growth::Growth> growth, double tonnage);
-  // One that goes on: whoever looks at an earlier stage, or plays the film, is not disturbed.
+  // A growth that is still computed. An earlier stage that the user looks at, or a film that plays, is left alone.
   void follow(std::shared_ptr<const growth::Growth> growth, double tonnage);
   void setStyle(const plots::Style& style);
 

@@ -1,31 +1,15 @@
 #include "core/platform/ProgramPath.h"
 
-#include <dlfcn.h>
-
 #include <system_error>
 
 namespace squat::platform {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-// Something that lies in the same file as this code, whatever other libraries hold.
-constexpr char here = 0;
-
-}  // namespace
-
 fs::path programPath() {
   std::error_code error;
   fs::path program = fs::read_symlink("/proc/self/exe", error);
   return error ? fs::path() : program;
-}
-
-fs::path ownLibrary() {
-  Dl_info place{};
-  if (::dladdr(&here, &place) == 0 || !place.dli_fname) return {};
-  fs::path file = place.dli_fname;
-  return file.extension() == ".so" ? file : fs::path();
 }
 
 }  // namespace squat::platform

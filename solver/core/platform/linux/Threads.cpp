@@ -2,7 +2,6 @@
 
 #include <sys/resource.h>
 #include <sys/syscall.h>
-#include <time.h>
 #include <unistd.h>
 
 namespace squat::platform {
@@ -14,15 +13,6 @@ long timesCoreWasLost() {
 #endif
   return 0;
 }
-
-std::chrono::nanoseconds processorTime() {
-  timespec time{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
-}
-
-void waitWhile(const std::atomic<unsigned>& value, unsigned old) { value.wait(old, std::memory_order_acquire); }
-void wakeWaiting(std::atomic<unsigned>& value) { value.notify_all(); }
 
 // Linux keeps the value for each thread.
 void giveWay() {

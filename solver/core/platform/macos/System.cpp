@@ -28,7 +28,7 @@ int pairOfSockets(int (&ends)[2]) {
 // fsync() leaves the bytes in the memory of the drive. Where a file system has no F_FULLFSYNC, it is all there is.
 int flushToDisk(int file) { return ::fcntl(file, F_FULLFSYNC) == 0 ? 0 : ::fsync(file); }
 
-// The limit of addresses is no limit here.
+// Not needed: macOS does not enforce a limit of the address space.
 std::size_t addressSpaceNow() { return 0; }
 
 std::string identityOf(const std::string& process) {

@@ -8,16 +8,16 @@ namespace squat::platform {
 
 char** environmentOfProcess();
 
-// Two sockets that speak to each other; a program that this process starts inherits neither unless told to, and what is
-// sent to one whose other end is gone ends no process. 0, or an error number.
+// A pair of connected sockets. Programs that this process starts do not inherit them unless told to, and sending to a
+// socket whose other end is closed does not end this process. Returns 0, or an error number.
 int pairOfSockets(int (&ends)[2]);
 
-// Until the bytes of the file are on the disk. 0, or -1 with errno.
+// Waits until the bytes of the file are on the disk. Returns 0, or -1 with errno.
 int flushToDisk(int file);
 
 std::size_t addressSpaceNow();  // [bytes] of this process; 0: not known
 
-// "4711-START-BOOT" for a number that is alive; else empty.
+// "4711-START-BOOT" of the running process with this number; empty where there is none.
 std::string identityOf(const std::string& process);
 
 }  // namespace squat::platform
